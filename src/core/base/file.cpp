@@ -1,0 +1,123 @@
+#include "core/base/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+namespace alhazen {
+namespace {
+
+Error io_error(std::string_view verb, const std::filesystem::path& path, int number) {
+  return {ErrorCode::io,
+          fmt::format("cannot {} `{}`: {}", verb, path.string(),
+                      std::error_code(number, std::generic_category()).message())};
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+Status flush(const std::filesystem::path& path) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) return io_error("open", path, errno);
+  // Some file systems do not sync folders (EINVAL); the rename itself is still atomic there.
+  if (::fsync(file.get()) != 0 && errno != EINVAL) return io_error("flush", path, errno);
+  return Unit{};
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::filesystem::path& path, std::uint64_t max_bytes) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+  if (file.get() < 0) return io_error("read", path, errno);
+  struct stat info {};
+  if (::fstat(file.get(), &info) != 0) return io_error("read", path, errno);
+  if (S_ISDIR(info.st_mode)) return io_error("read", path, EISDIR);
+  const auto too_large = [&] {
+    return Error{ErrorCode::limit,
+                 fmt::format("`{}` is larger than {} bytes", path.string(), max_bytes)};
+  };
+  if (S_ISREG(info.st_mode) && static_cast<std::uint64_t>(info.st_size) > max_bytes) {
+    return too_large();
+  }
+  std::string bytes;
+  char chunk[1 << 16];
+  for (;;) {
+    const ssize_t count = ::read(file.get(), chunk, sizeof chunk);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return io_error("read", path, errno);
+    if (count == 0) return bytes;
+    bytes.append(chunk, static_cast<std::size_t>(count));
+    if (bytes.size() > max_bytes) return too_large();
+  }
+}
+
+Result<AtomicFile> AtomicFile::create(const std::filesystem::path& target) {
+  if (std::error_code ignored; std::filesystem::is_directory(target, ignored)) {
+    return io_error("write", target, EISDIR);
+  }
+  const std::filesystem::path folder = target.parent_path();
+  for (int attempt = 0;; ++attempt) {
+    std::filesystem::path temporary =
+        folder / fmt::format(".{}.{}.{}.tmp", target.filename().string(), ::getpid(), attempt);
+    const int fd =
+        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR |
+                                                                               S_IRGRP | S_IWGRP |
+                                                                               S_IROTH | S_IWOTH);
+    if (fd >= 0) {
+      ::close(fd);
+      return AtomicFile(target, std::move(temporary));
+    }
+    if (errno != EEXIST || attempt >= 1000) return io_error("write", target, errno);
+  }
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : target_(std::move(other.target_)), temporary_(std::exchange(other.temporary_, {})) {}
+
+AtomicFile::~AtomicFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+Status AtomicFile::commit() {
+  if (Status flushed = flush(temporary_); !flushed) return flushed;
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    return io_error("write", target_, errno);
+  }
+  temporary_.clear();
+  const std::filesystem::path folder = target_.parent_path();
+  return flush(folder.empty() ? "." : folder);
+}
+
+Status write_file_atomic(const std::filesystem::path& target, std::string_view bytes) {
+  Result<AtomicFile> file = AtomicFile::create(target);
+  if (!file) return file.error();
+  const std::filesystem::path& path = file.value().temporary_path();
+  Descriptor out(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (out.get() < 0) return io_error("write", target, errno);
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(out.get(), bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return io_error("write", target, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return file.value().commit();
+}
+
+}  // namespace alhazen
