@@ -1,22 +1,20 @@
 #include "core/base/file.h"
 
+#include <cerrno>
+#include <cstdio>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 namespace alhazen {
 namespace {
 
 Error io_error(std::string_view verb, const std::filesystem::path& path, int number) {
-  return {ErrorCode::io,
-          fmt::format("cannot {} `{}`: {}", verb, path.string(),
-                      std::error_code(number, std::generic_category()).message())};
+  return {ErrorCode::io, fmt::format("cannot {} `{}`: {}", verb, path.string(),
+                                     std::error_code(number, std::generic_category()).message())};
 }
 
 class Descriptor {
@@ -76,10 +74,8 @@ Result<AtomicFile> AtomicFile::create(const std::filesystem::path& target) {
   for (int attempt = 0;; ++attempt) {
     std::filesystem::path temporary =
         folder / fmt::format(".{}.{}.{}.tmp", target.filename().string(), ::getpid(), attempt);
-    const int fd =
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR |
-                                                                               S_IRGRP | S_IWGRP |
-                                                                               S_IROTH | S_IWOTH);
+    const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                          S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
     if (fd >= 0) {
       ::close(fd);
       return AtomicFile(target, std::move(temporary));

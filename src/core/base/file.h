@@ -10,8 +10,8 @@
 
 namespace alhazen {
 
-// The bytes of `path`. Fails with ErrorCode::io when it cannot be read, with ErrorCode::limit when it
-// holds more than `max_bytes`; a larger file is not read at all.
+// The bytes of `path`. Fails with ErrorCode::io when it cannot be read, with ErrorCode::limit when
+// it holds more than `max_bytes`; a larger file is not read at all.
 Result<std::string> read_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 
 // A file that is being written: bytes go to a temporary name in the folder of `target`; commit()

@@ -1,4 +1,5 @@
-// core/base: a value or the reason there is none. The library reports; only the command line prints.
+// core/base: a value or the reason there is none. The library reports; only the command line
+// prints.
 #pragma once
 
 #include <string>

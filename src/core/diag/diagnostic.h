@@ -1,9 +1,8 @@
 // core/diag: what is wrong with a text, as data. Sinks collect; rendering is a separate step.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cstdint>
+#include <fmt/format.h>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -73,7 +72,8 @@ struct Diagnostic {
 };
 
 // Collects diagnostics in the order they are found. A second error whose span begins at the same
-// place as an earlier one is dropped, and so is every error beyond the limit (`truncated()` says so).
+// place as an earlier one is dropped, and so is every error beyond the limit (`truncated()` says
+// so).
 class DiagnosticSink {
  public:
   explicit DiagnosticSink(std::size_t max_errors = 20) : max_errors_(max_errors) {}
@@ -83,8 +83,14 @@ class DiagnosticSink {
   template <DiagnosticKind kind, class... Args>
   Diagnostic& report(SourceSpan span, Args&&... args) {
     constexpr fmt::format_string<Args...> format(info(kind).format);
-    return add({kind, info(kind).severity, info(kind).code, span,
-                fmt::format(format, std::forward<Args>(args)...), {}, {}, current_trace_});
+    return add({kind,
+                info(kind).severity,
+                info(kind).code,
+                span,
+                fmt::format(format, std::forward<Args>(args)...),
+                {},
+                {},
+                current_trace_});
   }
   Diagnostic& add(Diagnostic diagnostic);
 

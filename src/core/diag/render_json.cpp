@@ -9,8 +9,11 @@ nlohmann::ordered_json to_json(SourceSpan span, const SourceManager& sources) {
   if (!span.known()) return nullptr;
   const LineColumn begin = sources.locate(span.file, span.begin);
   const LineColumn end = sources.locate(span.file, span.end);
-  return {{"file", sources.name(span.file)}, {"line", begin.line},     {"column", begin.column},
-          {"end_line", end.line},            {"end_column", end.column}};
+  return {{"file", sources.name(span.file)},
+          {"line", begin.line},
+          {"column", begin.column},
+          {"end_line", end.line},
+          {"end_column", end.column}};
 }
 
 nlohmann::ordered_json to_json(const Diagnostic& diagnostic, const SourceManager& sources) {

@@ -1,8 +1,7 @@
 #include "core/diag/render_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <iterator>
 
 namespace alhazen {
@@ -49,9 +48,7 @@ class Writer {
   std::string take() { return std::move(out_); }
 
  private:
-  Ink ink(std::string_view on) const {
-    return style_.color ? Ink{on, "\x1b[0m"} : Ink{"", ""};
-  }
+  Ink ink(std::string_view on) const { return style_.color ? Ink{on, "\x1b[0m"} : Ink{"", ""}; }
 
   // The first line of the span, numbered, and the marks under its part of it. Lines too long for a
   // terminal are shown as a window around the span.
@@ -117,7 +114,8 @@ std::string render_text(const Diagnostic& diagnostic, const SourceManager& sourc
 
 std::string render_text(const DiagnosticSink& sink, const SourceManager& sources, TextStyle style) {
   Writer writer(sources, style);
-  for (const Diagnostic& diagnostic : sink.diagnostics()) writer.write(diagnostic);
+  for (const Diagnostic& diagnostic : sink.diagnostics())
+    writer.write(diagnostic);
   if (sink.truncated()) {
     writer.put("error: too many errors; the rest is not shown\n");
   }

@@ -20,7 +20,8 @@ std::string render_text(const Diagnostic& diagnostic, const SourceManager& sourc
 std::string render_text(const DiagnosticSink& sink, const SourceManager& sources,
                         TextStyle style = {});
 
-// {"diagnostics": [{kind, severity, message, span: {file, line, column, end_line, end_column}, ...}],
+// {"diagnostics": [{kind, severity, message, span: {file, line, column, end_line, end_column},
+// ...}],
 //  "truncated": bool}
 std::string render_json(const DiagnosticSink& sink, const SourceManager& sources);
 

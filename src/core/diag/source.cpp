@@ -1,8 +1,7 @@
 #include "core/diag/source.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
 
 namespace alhazen {
@@ -32,8 +31,8 @@ LineColumn SourceManager::locate(FileId file, std::uint32_t offset) const {
 std::string_view SourceManager::line_text(FileId file, std::uint32_t line) const {
   const File& source = files_[file];
   const std::uint32_t begin = source.line_starts[line - 1];
-  std::size_t end = line < source.line_starts.size() ? source.line_starts[line] - 1
-                                                      : source.text.size();
+  std::size_t end =
+      line < source.line_starts.size() ? source.line_starts[line] - 1 : source.text.size();
   if (end > begin && source.text[end - 1] == '\r') --end;
   return std::string_view(source.text).substr(begin, end - begin);
 }

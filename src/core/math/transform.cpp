@@ -38,13 +38,15 @@ std::optional<Affined> inverse(const Affined& b_from_a) {
 
 Affined translation(Vec3d offset) {
   Affined map;
-  for (int i = 0; i < 3; ++i) map.rows[i][3] = offset[i];
+  for (int i = 0; i < 3; ++i)
+    map.rows[i][3] = offset[i];
   return map;
 }
 
 Affined scaling(Vec3d factors) {
   Affined map;
-  for (int i = 0; i < 3; ++i) map.rows[i][i] = factors[i];
+  for (int i = 0; i < 3; ++i)
+    map.rows[i][i] = factors[i];
   return map;
 }
 

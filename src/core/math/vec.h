@@ -91,9 +91,7 @@ struct Rgb {
   friend constexpr Rgb operator*(Rgb a, Real s) { return {a.r * s, a.g * s, a.b * s}; }
   friend constexpr Rgb operator/(Rgb a, Real s) { return {a.r / s, a.g / s, a.b / s}; }
   constexpr Rgb& operator+=(Rgb other) { return *this = *this + other; }
-  friend constexpr bool operator==(Rgb a, Rgb b) {
-    return a.r == b.r && a.g == b.g && a.b == b.b;
-  }
+  friend constexpr bool operator==(Rgb a, Rgb b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
 };
 
 using Rgbd = Rgb<double>;

@@ -1,0 +1,37 @@
+// core/scene: how the picture is to be made. The scene proposes, the command line overrides.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/diag/source.h"
+
+namespace alhazen {
+
+enum class FilterKind { box, tent, gaussian, mitchell };
+
+struct ReconstructionFilter {
+  FilterKind kind = FilterKind::box;
+  double radius = 0.5;  // in pixels; each kind has its own usual value (render/film)
+};
+
+// Adaptive sampling stops a pixel when the standard error of its mean, largest of the channels, is
+// at most `threshold`, between `min_samples` and RenderSettings::samples.
+struct AdaptiveSampling {
+  double threshold = 0.01;
+  int min_samples = 16;
+};
+
+struct RenderSettings {
+  int width = 640, height = 360;
+  int samples = 16;  // per pixel; 1 means the pixel's centre
+  std::optional<AdaptiveSampling> adaptive;
+  int max_depth = 16;         // reflections and refractions along a path; 0: none
+  double cutoff = 1.0 / 512;  // a ray whose largest weight is below it is not traced; 0: all are
+  ReconstructionFilter filter;
+  bool transparent_background = false;  // alpha 0 where a camera ray meets nothing
+  std::uint64_t seed = 0;
+  SourceSpan span;
+};
+
+}  // namespace alhazen
