@@ -1,5 +1,5 @@
-// parser/ast: what the author wrote, as a tree. Nothing is evaluated and nothing is lost: every node
-// knows its span, names know theirs, and comments hang on the items they belong to.
+// parser/ast: what the author wrote, as a tree. Nothing is evaluated and nothing is lost: every
+// node knows its span, names know theirs, and comments hang on the items they belong to.
 #pragma once
 
 #include <memory>
@@ -76,9 +76,20 @@ struct Unary {
 };
 
 enum class BinaryOperator {
-  add, subtract, multiply, divide, remainder, power,
-  less, less_equal, greater, greater_equal, equal, not_equal,
-  logical_and, logical_or,
+  add,
+  subtract,
+  multiply,
+  divide,
+  remainder,
+  power,
+  less,
+  less_equal,
+  greater,
+  greater_equal,
+  equal,
+  not_equal,
+  logical_and,
+  logical_or,
 };
 struct Binary {
   BinaryOperator op;
@@ -110,8 +121,8 @@ struct Call {
   std::vector<Argument> arguments;
   SourceSpan arguments_span;  // with the parentheses
 };
-// `head { ... }`: head is a NameRef or a Call. Whether it makes a new glass or varies a value of that
-// name is for eval to say.
+// `head { ... }`: head is a NameRef or a Call. Whether it makes a new glass or varies a value of
+// that name is for eval to say.
 struct Block {
   ExprPtr head;
   Body body;
@@ -125,6 +136,7 @@ struct Expr {
                VectorLiteral, ListLiteral, Parenthesized, Unary, Binary, Range, Conditional, Member,
                Index, Call, Block, ErrorExpr>
       node;
+  int height = 1;  // levels of the tree from here down; ParseLimits bounds it
 };
 
 // ---- items ------------------------------------------------------------------------------------
@@ -177,14 +189,21 @@ struct Property {
   Name name;
   std::variant<ExprPtr, Body> value;
 };
+// `tower(3)`, `tower(3) { translate x }` where an item stands: the object, a Call or a Block whose
+// head is a Call, takes its place in the scene.
+struct Placement {
+  ExprPtr object;
+};
 struct ErrorItem {};
 
 struct Item {
   SourceSpan span;
   std::vector<Comment> leading;    // on the lines before
+  std::vector<Comment> interior;   // between its tokens, outside of its bodies
   std::vector<Comment> trailing;   // on the same line, after
   bool blank_line_before = false;  // one blank line of the author's is kept by the formatter
-  std::variant<Let, Param, Function, For, If, Include, Assert, Print, Return, Property, ErrorItem>
+  std::variant<Let, Param, Function, For, If, Include, Assert, Print, Return, Placement, Property,
+               ErrorItem>
       node;
 };
 

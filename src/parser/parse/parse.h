@@ -6,8 +6,12 @@
 
 namespace alhazen::parser {
 
+// A limit exceeded is a diagnostic. The evaluator, the printer and the destructor walk the tree by
+// recursion: the second limit bounds their stack, also for a + a + a + ..., which is deep to the
+// left.
 struct ParseLimits {
-  int max_nesting = 200;  // of expressions and bodies together: keeps the stack bounded
+  int max_nesting = 200;  // of expressions and bodies together, as written
+  int max_height = 1000;  // of the tree of one expression
 };
 
 // The tree of one file. Errors go to `sink`; where they do, the tree holds ErrorExpr and ErrorItem
