@@ -54,8 +54,9 @@ void call_scattering(Walk& walk, const Material& material, SourceSpan by) {
                             set.call(Effect::highlights, material.span);
                           } else if (is_zero(m.albedo)) {
                             return;
+                          } else {
+                            set.call(Effect::matte, material.span);
                           }
-                          set.call(Effect::matte, material.span);
                           call_texture(walk, m.albedo);
                         },
                         [&](const Mirror& m) {
@@ -78,8 +79,8 @@ void call_scattering(Walk& walk, const Material& material, SourceSpan by) {
 }
 
 void call_lights(const Scene& scene, EffectSet& set) {
-  // Only matte and coated surfaces answer to lights; mirrors and glass show them as things.
-  if (!set.has(Effect::matte) && !set.has(Effect::coat)) return;
+  // Mirrors, metals and glass show lights as things; only these surfaces answer to them.
+  if (!set.has(Effect::matte) && !set.has(Effect::highlights) && !set.has(Effect::coat)) return;
   for (const Light& light : scene.lights) {
     if (!shines(light)) continue;
     set.call(effect_of(light.source), light.span);

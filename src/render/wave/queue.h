@@ -1,0 +1,122 @@
+// render/wave: rays in flight, structure of arrays, in the order that every stage keeps.
+//
+// Order is what makes a picture's bits independent of how work is cut: of one camera sample's rays
+// each stage handles them in queue order and appends in that order, so the sum into the sample is
+// the same whatever else shares the batch (docs/waves.md).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/math/vec.h"
+#include "render/shape/ray.h"
+#include "render/wave/media.h"
+
+namespace alhazen::render {
+
+// The camera sample of a batch that a ray belongs to.
+using SlotId = std::uint32_t;
+
+template <class Real>
+struct RayQueue {
+  std::vector<Vec3<Real>> origin, direction;
+  std::vector<Departure<Real>> departure;
+  std::vector<Rgb<Real>> weight;     // of the radiance that comes along the ray, in the sample's
+  std::vector<SlotId> slot;          // not decreasing
+  std::vector<MediumId> medium;      // what the ray starts in
+  std::vector<std::uint64_t> path;   // names the branch of the ray tree: seeds its random numbers
+  std::vector<std::uint32_t> depth;  // reflections and refractions so far
+
+  std::size_t size() const { return slot.size(); }
+  bool empty() const { return slot.empty(); }
+  Ray<Real> ray(std::size_t i) const { return {origin[i], direction[i]}; }
+
+  void push(const Ray<Real>& ray, const Departure<Real>& from, Rgb<Real> w, SlotId s, MediumId m,
+            std::uint64_t p, std::uint32_t d) {
+    origin.push_back(ray.origin);
+    direction.push_back(ray.direction);
+    departure.push_back(from);
+    weight.push_back(w);
+    slot.push_back(s);
+    medium.push_back(m);
+    path.push_back(p);
+    depth.push_back(d);
+  }
+  void clear() { resize(0); }
+  void resize(std::size_t size) {
+    origin.resize(size);
+    direction.resize(size);
+    departure.resize(size);
+    weight.resize(size);
+    slot.resize(size);
+    medium.resize(size);
+    path.resize(size);
+    depth.resize(size);
+  }
+};
+
+// What the rays of one generation met, in their order; a ray that met nothing has no entry.
+template <class Real>
+struct HitQueue {
+  std::vector<std::uint32_t> ray;  // index into the generation's RayQueue
+  std::vector<Real> t;
+  std::vector<SurfaceId> surface;
+  std::vector<MaterialId> material;
+  std::vector<Vec3<Real>> position;          // on the surface, world frame of the renderer
+  std::vector<Vec3<Real>> geometric_normal;  // outward, unit
+  std::vector<Vec3<Real>> shading_normal;    // unit, on the side that the ray came from
+  std::vector<Real> u, v;
+  std::vector<Rgb<Real>> color;  // albedo or reflectance, of materials that have one
+
+  std::size_t size() const { return ray.size(); }
+  void clear() { resize(0); }
+  void resize(std::size_t size) {
+    ray.resize(size);
+    t.resize(size);
+    surface.resize(size);
+    material.resize(size);
+    position.resize(size);
+    geometric_normal.resize(size);
+    shading_normal.resize(size);
+    u.resize(size);
+    v.resize(size);
+    color.resize(size);
+  }
+};
+
+// Light on its way to a surface: what it will add if nothing stands between.
+template <class Real>
+struct ShadowQueue {
+  std::vector<Vec3<Real>> origin, direction;
+  std::vector<Departure<Real>> departure;
+  std::vector<Real> distance;        // to the light; infinite for a directional one
+  std::vector<ShapeId> light_shape;  // the light's own visible surface, which does not shadow it
+  std::vector<Rgb<Real>> radiance;
+  std::vector<SlotId> slot;
+  std::vector<MediumId> medium;
+
+  std::size_t size() const { return slot.size(); }
+  void push(const Ray<Real>& ray, const Departure<Real>& from, Real dist, ShapeId shape,
+            Rgb<Real> l, SlotId s, MediumId m) {
+    origin.push_back(ray.origin);
+    direction.push_back(ray.direction);
+    departure.push_back(from);
+    distance.push_back(dist);
+    light_shape.push_back(shape);
+    radiance.push_back(l);
+    slot.push_back(s);
+    medium.push_back(m);
+  }
+  void clear() {
+    origin.clear();
+    direction.clear();
+    departure.clear();
+    distance.clear();
+    light_shape.clear();
+    radiance.clear();
+    slot.clear();
+    medium.clear();
+  }
+};
+
+}  // namespace alhazen::render

@@ -1,0 +1,105 @@
+// render/wave: a scene in, a picture and its figures out. The library's whole rendering interface.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scene/scene.h"
+#include "render/wave/plan.h"
+
+namespace alhazen::render {
+
+enum class Precision { float32, float64, quad };
+
+// A picture that textures and the background read: linear, in the working space, rows from the top.
+struct ImagePixels {
+  int width = 0, height = 0;
+  std::vector<float> rgb;  // 3 * width * height
+};
+
+struct PixelRect {
+  int x = 0, y = 0, width = 0, height = 0;  // from the top left corner of the frame
+};
+
+// What is kept besides the picture itself. Z, P, N and uv are those of the ray through the centre
+// of the pixel; albedo and ids are of all camera samples.
+struct AovRequest {
+  bool depth = false, normal = false, position = false, uv = false, albedo = false;
+  bool object_ids = false, material_ids = false, samples = false, cost = false;
+
+  bool any() const {
+    return depth || normal || position || uv || albedo || object_ids || material_ids || samples ||
+           cost;
+  }
+};
+
+struct RenderOptions {
+  Precision precision = Precision::float64;
+  PixelRect crop;   // empty: the whole frame
+  int threads = 0;  // 0: one a core
+  AovRequest aovs;
+  const std::atomic<bool>* cancel = nullptr;  // looked at between batches
+};
+
+// The share of a pixel's samples that saw an object or a material, largest first.
+struct Coverage {
+  std::uint32_t id;  // index into Scene::shapes or Scene::materials
+  float share;
+};
+
+// All planes cover the crop, rows from the top; those not asked for are empty.
+struct Picture {
+  PixelRect window;
+  std::vector<double> rgb;  // radiance in the working space, 3 a pixel
+  std::vector<float>
+      alpha;  // 1, or the share of samples that met something (transparent_background)
+  std::vector<float> depth;  // along the camera's forward axis; infinite where nothing is
+  std::vector<float> normal, position;  // 3 a pixel, world; 0 where nothing is
+  std::vector<float> uv;                // 2 a pixel
+  std::vector<float> albedo;            // 3 a pixel
+  std::vector<float> samples, cost;     // camera samples; rays of all kinds
+  std::vector<std::vector<Coverage>> objects, materials;
+};
+
+struct StageCost {
+  StageId stage;
+  std::uint64_t rays = 0;  // items that went through it
+  double cpu_seconds = 0;
+};
+
+struct RenderStatistics {
+  std::uint64_t camera_rays = 0, reflection_rays = 0, refraction_rays = 0, shadow_rays = 0;
+  std::uint64_t cut_by_depth = 0, cut_by_weight = 0;  // children that were not traced
+  double dropped_weight_max = 0;  // of any sample: largest channel of the weight that was cut
+  std::uint64_t samples = 0;
+  std::vector<StageCost> stages;  // in the order of the plan
+  double wall_seconds = 0, cpu_seconds = 0;
+  int threads = 0;
+
+  std::uint64_t rays() const {
+    return camera_rays + reflection_rays + refraction_rays + shadow_rays;
+  }
+};
+
+struct RenderOutput {
+  Picture picture;
+  RenderStatistics statistics;
+  StagePlan plan;
+};
+
+// Called from worker threads, never from two at once; `done` of `total` pixels.
+using ProgressListener = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
+// Renders `scene` with its settings as they stand. `images` parallels Scene::images. The picture is
+// a function of scene, images, precision and crop alone: the same bits for any number of threads.
+// Errors: usage for a crop outside of the frame, unsupported for quad in a build without it, limit
+// when memory runs out or the run was cancelled (message "cancelled").
+Result<RenderOutput> render(const Scene& scene, const std::vector<ImagePixels>& images,
+                            const RenderOptions& options, const ProgressListener& progress = {});
+
+}  // namespace alhazen::render
