@@ -1,0 +1,27 @@
+// app/cli: the verbs, one file each. A verb takes the words after its name.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/cli/exit_code.h"
+
+namespace alhazen {
+
+using Arguments = std::vector<std::string>;
+
+ExitCode run_help(const Arguments& arguments);
+ExitCode run_version(const Arguments& arguments);
+
+struct Verb {
+  std::string_view name;
+  std::string_view summary;  // for the list that `alhazen help` prints
+  ExitCode (*run)(const Arguments&);
+};
+
+std::span<const Verb> verbs();
+const Verb* find_verb(std::string_view name);
+
+}  // namespace alhazen
