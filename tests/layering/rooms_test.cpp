@@ -16,11 +16,6 @@ const std::map<std::string, int> kFloorOfRoom = {
     {"app/study", 8},    {"app/batch", 8},     {"app/cli", 9},
 };
 
-std::string room_of_include(const std::string& target) {
-  const std::size_t slash = target.rfind('/');
-  return slash == std::string::npos ? "" : target.substr(0, slash);
-}
-
 std::string side(const std::string& room) {
   return room.substr(0, room.find('/'));
 }
@@ -36,7 +31,7 @@ TEST(Rooms, IncludesGoDownwardsOnly) {
   for (const SourceFile& file : source_files("src")) {
     for (const Include& include : includes(file)) {
       if (include.system) continue;
-      const std::string target = room_of_include(include.target);
+      const std::string target = room_of(include.target);
       ASSERT_TRUE(kFloorOfRoom.contains(target)) << file.path << " includes " << include.target;
       if (target == file.room()) continue;
       EXPECT_LT(kFloorOfRoom.at(target), kFloorOfRoom.at(file.room()))
@@ -61,7 +56,7 @@ TEST(Rooms, ParserAndRendererNeverMeet) {
 TEST(Rooms, OwnFilesAreQuotedAndForeignOnesAreNot) {
   for (const SourceFile& file : source_files("src")) {
     for (const Include& include : includes(file)) {
-      const bool own = kFloorOfRoom.contains(room_of_include(include.target));
+      const bool own = kFloorOfRoom.contains(room_of(include.target));
       EXPECT_NE(include.system, own) << file.path << " includes " << include.target;
     }
   }

@@ -7,10 +7,14 @@
 
 namespace alhazen::layering {
 
+std::string room_of(std::string_view path) {
+  const std::size_t side = path.find('/');
+  const std::size_t room = side == path.npos ? path.npos : path.find('/', side + 1);
+  return room == path.npos ? "" : std::string(path.substr(0, room));
+}
+
 std::string SourceFile::room() const {
-  if (!path.starts_with("src/")) return "";
-  const std::size_t slash = path.rfind('/');
-  return slash > 4 ? path.substr(4, slash - 4) : "";
+  return path.starts_with("src/") ? room_of(std::string_view(path).substr(4)) : "";
 }
 
 std::size_t SourceFile::lines() const {

@@ -3,9 +3,13 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace alhazen::layering {
+
+// "core/base" of "core/base/file.h": its first two folders; "" for a path that has fewer.
+std::string room_of(std::string_view path);
 
 struct SourceFile {
   std::string path;  // from the root of the repository: "src/core/base/file.h"
@@ -13,7 +17,6 @@ struct SourceFile {
   std::string code;  // `text` with comments blanked out and string literals emptied
 
   bool is_header() const { return path.ends_with(".h"); }
-  // "core/base" of "src/core/base/file.h"; "" for a file that stands in no room.
   std::string room() const;
   std::size_t lines() const;
 };
