@@ -7,6 +7,11 @@ find_package(CLI11 2 REQUIRED)             # the command line
 find_package(OpenEXR 3 REQUIRED)           # the picture file
 # Debian 12 installs the config where CMake does not look for it.
 find_package(OpenColorIO 2 CONFIG REQUIRED HINTS /usr/share/cmake)  # every colour decision
+# From there it derives the include folder /include; the headers stand where every compiler looks.
+get_target_property(ocio_include OpenColorIO::OpenColorIO INTERFACE_INCLUDE_DIRECTORIES)
+if(ocio_include AND NOT EXISTS "${ocio_include}")
+  set_target_properties(OpenColorIO::OpenColorIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "")
+endif()
 find_package(PNG REQUIRED)                 # previews and image textures
 find_package(JPEG REQUIRED)                # image textures
 if(ALHAZEN_TESTS)
