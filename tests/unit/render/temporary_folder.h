@@ -1,4 +1,4 @@
-// tests/image: a folder of its own for each test, gone afterwards.
+// tests/render: a folder of its own for each test, gone afterwards.
 #pragma once
 
 #include <filesystem>

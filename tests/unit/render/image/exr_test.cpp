@@ -9,7 +9,7 @@
 #include "render/image/exr_read.h"
 #include "render/image/exr_write.h"
 #include "unit/render/image/damage.h"
-#include "unit/render/image/temporary_folder.h"
+#include "unit/render/temporary_folder.h"
 
 namespace alhazen::render {
 namespace {
