@@ -1,0 +1,45 @@
+// render/surface: the patterns, as functions of a point in the pattern's own coordinates.
+//
+// Cells are closed below and open above: a point exactly on the plane x = k belongs to the cell
+// [k, k+1). A flat surface that lies on such a plane is coloured evenly as long as its points come
+// out exactly on it, which shape kernels promise for planes of the axes; a surface that has been
+// rotated there is speckled by rounding, and its pattern should be moved by half a cell.
+#pragma once
+
+#include "core/math/scalar.h"
+#include "core/math/vec.h"
+
+namespace alhazen::render {
+
+// Whether floor(x) is odd. Exact for every finite x.
+template <class Real>
+inline bool in_odd_cell(Real x) {
+  const Real cell = round_down(x);
+  return cell - 2 * round_down(cell / 2) != 0;
+}
+
+// Unit cubes, the one at [0, 1)^3 even.
+template <class Real>
+inline bool in_odd_cube(Vec3<Real> p) {
+  return (in_odd_cell(p.x) != in_odd_cell(p.y)) != in_odd_cell(p.z);
+}
+
+// x modulo `period` > 0 in [0, period].
+template <class Real>
+inline Real wrapped(Real x, Real period) {
+  return x - period * round_down(x / period);
+}
+
+// POV-Ray's brick: `size` is the period, joint included; joints fill [0, mortar) of each period.
+// Courses are stacked along y; in even courses, among them [0, size.y), the joints across x and z
+// are shifted by half a brick.
+template <class Real>
+inline bool in_mortar(Vec3<Real> p, Vec3<Real> size, Real mortar) {
+  if (wrapped(p.y, size.y) < mortar) return true;
+  const bool shifted = !in_odd_cell(p.y / size.y);
+  const Real x = shifted ? p.x + size.x / 2 : p.x;
+  const Real z = shifted ? p.z + size.z / 2 : p.z;
+  return wrapped(x, size.x) < mortar || wrapped(z, size.z) < mortar;
+}
+
+}  // namespace alhazen::render
