@@ -7,6 +7,11 @@
 
 namespace alhazen::ast {
 
-std::string dump(const File& file);
+struct DumpStyle {
+  bool spans = false;     // the bytes of each node: " @12-15"
+  bool comments = false;  // comments and blank lines, which change nothing in the picture
+};
+
+std::string dump(const File& file, DumpStyle style = {});
 
 }  // namespace alhazen::ast
