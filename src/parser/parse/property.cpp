@@ -1,0 +1,108 @@
+// parser/parse: items that begin with a name.
+#include <fmt/format.h>
+
+#include "parser/parse/habits.h"
+#include "parser/parse/parser.h"
+
+namespace alhazen::parser {
+
+void Parser::parse_name_item(ast::Item& item) {
+  if (take_foreign_word(item)) return;
+  const Token name = next();
+  if (at(TokenKind::left_paren) && peek().begin == name.end) {
+    item.node = parse_placement(name);
+    return;
+  }
+  ast::Property property = parse_property(name);
+  after_property(property);
+  item.node = std::move(property);
+}
+
+// placement   = NAME call [ body ] ;
+ast::Placement Parser::parse_placement(const Token& name) {
+  ast::ExprPtr head = make(name.begin, ast::NameRef{std::string(text(name))});
+  ast::ExprPtr object = parse_call(std::move(head));
+  if (at(TokenKind::left_brace) && !panic_) object = parse_block(std::move(object));
+  return {std::move(object)};
+}
+
+// property    = NAME ( body | expression ) ;
+ast::Property Parser::parse_property(const Token& name) {
+  ast::Property property{name_of(name), error_expression()};
+  if (at(TokenKind::equal) || at(TokenKind::colon)) {
+    const Token sign = next();
+    if (sign.flaw == Flaw::none) {
+      report<DiagnosticKind::needless_assignment>(span(sign), text(sign))
+          .hint(fmt::format("write `{0} ...` for a property, `let {0} = ...` to name a value",
+                            text(name)));
+    }
+  }
+  if (at(TokenKind::left_brace)) {
+    property.value = parse_body();
+  } else if (at_expression()) {
+    property.value = parse_expression();
+  } else if (at(TokenKind::right_brace) || at(TokenKind::end) || at_item_keyword()) {
+    // What follows is sound; only this property is not.
+    report<DiagnosticKind::missing_value>(span(name), text(name))
+        .hint("a property is a name and a value: `radius 2`, `material glass { ior 1.5 }`");
+  } else {
+    fail_expected(fmt::format("the value of `{}`", text(name)));
+  }
+  return property;
+}
+
+// What follows a property and cannot begin an item, where the meaning is plain.
+void Parser::after_property(const ast::Property& property) {
+  if (panic_) return;
+  const auto* value = std::get_if<ast::ExprPtr>(&property.value);
+  const auto* reference = value != nullptr ? std::get_if<ast::NameRef>(&(*value)->node) : nullptr;
+  if (at(TokenKind::equal) && reference != nullptr) {  // `lte x = 1`, `float x = 1`
+    Diagnostic& report = fail_expected("the next item");
+    const std::string_view keyword = nearest_keyword(property.name.text);
+    report.hint(
+        fmt::format("write `{} {} = ...`", keyword.empty() ? "let" : keyword, reference->name));
+    return;
+  }
+  if (!at(TokenKind::comma)) return;
+  const auto* comparison = value != nullptr ? std::get_if<ast::Binary>(&(*value)->node) : nullptr;
+  if (comparison != nullptr && comparison->op == ast::BinaryOperator::less) {
+    // `radius center <0, 1, 0>`: the value of radius is missing.
+    fail_expected("the next item")
+        .hint(
+            fmt::format("`<` was read as a comparison: the value of `{}` may be missing before it",
+                        property.name.text));
+    return;
+  }
+  report<DiagnosticKind::needless_separator>(span(next()), ",")
+      .hint("remove it: white space alone separates items");
+}
+
+// `def f(x)`, `var x = 1`: reported, and read as what is meant.
+bool Parser::take_foreign_word(ast::Item& item) {
+  const ForeignWord* word = match_foreign_word(text(peek()));
+  const TokenKind after = peek(1).kind;
+  // With a body, or with a name and a body, it may be the author's own name for an object.
+  if (word == nullptr || after == TokenKind::left_brace) return false;
+  const SourceSpan where = span(peek());
+  if (word->meaning == TokenKind::skip) {
+    fail<DiagnosticKind::foreign_word>(where, word->spelling).hint(std::string(word->hint));
+    next();
+    item.node = ast::ErrorItem{};
+    return true;
+  }
+  report<DiagnosticKind::foreign_word>(where, word->spelling).hint(std::string(word->hint));
+  switch (word->meaning) {
+    case TokenKind::kw_fn:
+      item.node = parse_function();
+      break;
+    case TokenKind::kw_include:
+      item.node = parse_include();
+      break;
+    default:
+      item.node = parse_let();
+      break;
+  }
+  return true;
+}
+
+}  // namespace alhazen::parser
