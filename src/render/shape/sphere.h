@@ -1,0 +1,77 @@
+// render/shape: the sphere. One face, 0.
+//
+// The discriminant is R^2 d.d - |o x d|^2 (Lagrange's identity on Haines' perpendicular form),
+// whose terms do not grow with the distance of the origin. In double the error of t is a few eps
+// for origins near and far and for grazing rays (docs/numerics.md, A1 to A3).
+//
+// u is the longitude from +x towards +z over a turn, v the latitude from -y (0) to +y (1).
+#pragma once
+
+#include "render/shape/crossing.h"
+#include "render/shape/frame.h"
+#include "render/shape/quadratic.h"
+
+namespace alhazen::render {
+
+template <class Real>
+struct Sphere {
+  Vec3<Real> center;
+  Real radius;
+};
+
+// |o|^2 - radius^2.
+template <class Real>
+inline Real sphere_power(Vec3<Real> o, Real radius) {
+  const Real squares = dot(o, o), radius_squared = radius * radius;
+  const Real power_of_point = squares - radius_squared;
+  if (!has_cancelled(power_of_point, squares + radius_squared)) return power_of_point;
+  return (two_square(o.x) + two_square(o.y) + two_square(o.z) - two_square(radius)).hi;
+}
+
+template <class Real>
+inline Real sphere_discriminant(Vec3<Real> o, Vec3<Real> d, Real radius) {
+  const Vec3<Real> moment = cross(o, d);
+  const Real reach = radius * radius * dot(d, d), distance = dot(moment, moment);
+  const Real discriminant = reach - distance;
+  if (!has_cancelled(discriminant, reach + distance)) return discriminant;
+  const DoubleWord<Real> d_squared = two_square(d.x) + two_square(d.y) + two_square(d.z);
+  const DoubleWord<Real> moment_squared = squared(two_minor(o.y, d.z, o.z, d.y)) +
+                                          squared(two_minor(o.z, d.x, o.x, d.z)) +
+                                          squared(two_minor(o.x, d.y, o.y, d.x));
+  return (two_square(radius) * d_squared - moment_squared).hi;
+}
+
+template <class Real>
+inline Crossings<Real> crossings(const Sphere<Real>& sphere, const Ray<Real>& ray, Departure from) {
+  const Vec3<Real> o = ray.origin - sphere.center, d = ray.direction;
+  const Real a = dot(d, d), b = dot(o, d);
+  Span<Real> span;
+  if (from.from_surface()) {
+    // One root is 0, so the other is minus the sum of both.
+    if (!goes_below(from, b)) return {};
+    span.cut(Real(0), 0, Real(-2) * b / a, 0);
+    return exit_of(span);
+  }
+  const Real discriminant = sphere_discriminant(o, d, sphere.radius);
+  if (discriminant < Real(0)) return {};
+  const Roots<Real> roots = roots_of(a, b, sphere_power(o, sphere.radius), discriminant);
+  span.cut(roots.near, 0, roots.far, 0);
+  return ends_of(span);
+}
+
+template <class Real>
+inline Surface<Real> surface(const Sphere<Real>& sphere, const Ray<Real>& ray,
+                             const Crossing<Real>& crossing) {
+  const Vec3<Real> n =
+      normalized(multiply_add(crossing.t, ray.direction, ray.origin - sphere.center));
+  const Real around = square_root(fused_multiply_add(n.x, n.x, n.z * n.z));
+  return {multiply_add(sphere.radius, n, sphere.center), n, n, turn_of(n.x, n.z),
+          2 * atan2_turns(around, -n.y)};
+}
+
+template <class Real>
+inline bool contains(const Sphere<Real>& sphere, Vec3<Real> point) {
+  return sphere_power(point - sphere.center, sphere.radius) < Real(0);
+}
+
+}  // namespace alhazen::render

@@ -1,0 +1,108 @@
+#include "render/shape/sphere.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/render/shape/support.h"
+
+namespace alhazen::render {
+namespace {
+
+const Sphere<double> kUnit{{0, 0, 0}, 1};
+
+TEST(Sphere, ClosedForms) {
+  const Sphere<double> sphere{{1, 2, 3}, 2};
+  const auto hits = crossings(sphere, {{1, 2, -7}, {0, 0, 1}}, Departure());
+  ASSERT_EQ(hits.size(), 2);
+  EXPECT_EQ(hits[0].t, 8);
+  EXPECT_TRUE(hits[0].enters);
+  EXPECT_EQ(hits[1].t, 12);
+  EXPECT_FALSE(hits[1].enters);
+  const auto point = surface(sphere, {{1, 2, -7}, {0, 0, 1}}, hits[0]);
+  EXPECT_EQ(point.position, Vec3d(1, 2, 1));
+  EXPECT_EQ(point.normal, Vec3d(0, 0, -1));
+  EXPECT_EQ(point.u, 0.75);
+  EXPECT_EQ(point.v, 0.5);
+}
+
+TEST(Sphere, Parametrisation) {
+  const auto uv = [](Vec3d from) {
+    const Ray<double> ray{2 * from, -from};
+    return surface(kUnit, ray, crossings(kUnit, ray, Departure())[0]);
+  };
+  EXPECT_EQ(uv({1, 0, 0}).u, 0);
+  EXPECT_EQ(uv({0, 0, 1}).u, 0.25);
+  EXPECT_EQ(uv({-1, 0, 0}).u, 0.5);
+  EXPECT_EQ(uv({0, 1, 0}).v, 1);
+  EXPECT_EQ(uv({0, -1, 0}).v, 0);
+}
+
+// A5: origins at the centre and on the surface.
+TEST(Sphere, SpecialOrigins) {
+  const auto center = crossings(kUnit, {{0, 0, 0}, {0, 0, 1}}, Departure());
+  ASSERT_EQ(center.size(), 1);
+  EXPECT_EQ(center[0].t, 1);
+  EXPECT_FALSE(center[0].enters);
+  // On the surface by chance, both ends count over the closed interval t >= 0.
+  EXPECT_EQ(crossings(kUnit, {{0, 0, -1}, {0, 0, 1}}, Departure()).size(), 2);
+  EXPECT_EQ(crossings(kUnit, {{0, 0, -1}, {0, 0, 1}}, Departure())[0].t, 0);
+  // Leaving it by name, the root at 0 does not.
+  const auto through = crossings(kUnit, {{0, 0, -1}, {0, 0, 1}}, Departure{0, Side::kBelow});
+  ASSERT_EQ(through.size(), 1);
+  EXPECT_EQ(through[0].t, 2);
+  EXPECT_EQ(crossings(kUnit, {{0, 0, -1}, {0, 0, -1}}, Departure{0}).size(), 0);
+  // A tangent touches once, counted as in and out.
+  const auto tangent = crossings(kUnit, {{1, 0, -3}, {0, 0, 1}}, Departure());
+  ASSERT_EQ(tangent.size(), 2);
+  EXPECT_EQ(tangent[0].t, 3);
+  EXPECT_EQ(tangent[1].t, 3);
+}
+
+TEST(Sphere, Contains) {
+  EXPECT_TRUE(contains(kUnit, Vec3d{0.5, 0.5, 0.5}));
+  EXPECT_FALSE(contains(kUnit, Vec3d{1, 0, 0}));
+  EXPECT_TRUE(contains(kUnit, Vec3d{1 - kU, 0, 0}));
+  EXPECT_FALSE(contains(kUnit, Vec3d{0.6, 0.6, 0.6}));
+}
+
+#if ALHAZEN_HAS_QUAD
+// The rays and spheres are exact in both types, so the Quad kernel gives the truth. Errors in eps
+// of double, relative to t.
+double worst_error(double distance, double radius, double impact_from, double impact_to,
+                   bool ground) {
+  double worst = 0;
+  Dice dice(17);
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3d d = dice.direction();
+    const Vec3d side = normalized(cross(d, dice.direction()));
+    const double impact = radius * dice.uniform(impact_from, impact_to);
+    const Vec3d center = ground ? Vec3d{0, -radius, 0} : distance * d + impact * side;
+    const Ray<double> ray{ground ? Vec3d{0, distance, 0} : Vec3d{},
+                          ground ? Vec3d{d.x, -absolute(d.y), d.z} : d};
+    const auto got = crossings(Sphere<double>{center, radius}, ray, Departure());
+    const auto truth = crossings(Sphere<Quad>{Vec3<Quad>(center), static_cast<Quad>(radius)},
+                                 {Vec3<Quad>(ray.origin), Vec3<Quad>(ray.direction)}, Departure());
+    if (got.size() != truth.size()) return 1e9;
+    for (int k = 0; k < got.size(); ++k) {
+      const Quad error = absolute(static_cast<Quad>(got[k].t) - truth[k].t) / truth[k].t;
+      worst = larger(worst, static_cast<double>(error) / kU);
+    }
+  }
+  return worst;
+}
+
+// numerics 4 A1 to A3 ask for 4 eps at the 99.9th percentile with the origin at rest; the worst of
+// all may reach a little more where the fast path hands over at 4 lost bits:
+// (1 + 16 * 5/2) eps of the discriminant halves in its root and is at most half of t's terms.
+TEST(Sphere, ErrorStaysSmallNearFarAndOnTheGround) {
+  EXPECT_LE(worst_error(3, 1, 0, 0.9, false), 12);
+  EXPECT_LE(worst_error(1e3, 1, 0, 0.9, false), 12);
+  EXPECT_LE(worst_error(1e6, 1, 0, 0.9, false), 12);
+  EXPECT_LE(worst_error(1e9, 1, 0, 0.9, false), 12);
+  EXPECT_LE(worst_error(2, 1e6, 0, 0, true), 12);
+  EXPECT_LE(worst_error(2, 1e10, 0, 0, true), 12);
+  EXPECT_LE(worst_error(2, 1e12, 0, 0, true), 12);
+}
+#endif
+
+}  // namespace
+}  // namespace alhazen::render
