@@ -2,9 +2,9 @@
 //
 // Watertight after S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1),
 // 2013: the corners are sheared so that the ray runs along z, and three signs of edges decide. Two
-// triangles that share an edge see the same sheared corners, and the minors here (two roundings,
-// error below 1.5 ulp) have the right sign without exception, so the edge belongs to one of them,
-// or to both. The paper's fallback to higher precision is not needed.
+// triangles that share an edge see the same sheared corners, and the edge functions here (error
+// below 1.5 ulp) have the right sign without exception, so the edge belongs to one of them, or to
+// both. The paper's fallback to higher precision is not needed.
 //
 // (u, v) are the weights of the second and the third corner.
 #pragma once
@@ -53,14 +53,22 @@ struct TriangleHit {
   Real t{};
 };
 
+// p.x q.y - p.y q.x, the same bits with the opposite sign when p and q change places, so that a
+// mirrored triangle is hit in the mirrored place.
+template <class Real>
+inline Real edge_function(Vec3<Real> p, Vec3<Real> q) {
+  return absolute(p.x * q.y) < absolute(p.y * q.x) ? -difference_of_products(q.x, p.y, q.y, p.x)
+                                                   : difference_of_products(p.x, q.y, p.y, q.x);
+}
+
 template <class Real>
 inline TriangleHit<Real> hit_sheared(const ShearedRay<Real>& ray,
                                      const std::array<Vec3<Real>, 3>& corners) {
   const Vec3<Real> a = ray.sheared(corners[0]), b = ray.sheared(corners[1]),
                    c = ray.sheared(corners[2]);
-  const Real u = difference_of_products(c.x, b.y, c.y, b.x);
-  const Real v = difference_of_products(a.x, c.y, a.y, c.x);
-  const Real w = difference_of_products(b.x, a.y, b.y, a.x);
+  const Real u = edge_function(c, b);
+  const Real v = edge_function(a, c);
+  const Real w = edge_function(b, a);
   const Real zero(0);
   TriangleHit<Real> result;
   if ((u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero)) return result;
