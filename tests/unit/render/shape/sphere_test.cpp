@@ -102,6 +102,39 @@ TEST(Sphere, ErrorStaysSmallNearFarAndOnTheGround) {
   EXPECT_LE(worst_error(2, 1e10, 0, 0, true), 12);
   EXPECT_LE(worst_error(2, 1e12, 0, 0, true), 12);
 }
+
+// A1: rays at R (1 -+ 2^-k) from the centre. Whether they hit is decided rightly down to 4 eps, and
+// t is right to a few eps of the half chord's condition, which the two-word sums leave untouched.
+TEST(Sphere, GrazingRaysAreDecidedRightly) {
+  Dice dice(18);
+  int checked = 0;
+  for (int k = 4; k <= 46; ++k) {
+    for (int i = 0; i < 200; ++i) {
+      const Vec3d d = dice.direction(), side = normalized(cross(d, dice.direction()));
+      const double impact = 1 + (i % 2 == 0 ? 1 : -1) * std::ldexp(1.0, -k);
+      const Ray<double> ray{impact * side - dice.uniform(0.1, 10) * d, d};
+      const Ray<Quad> same{Vec3<Quad>(ray.origin), Vec3<Quad>(ray.direction)};
+      // The impact that the rounded numbers really have.
+      const Vec3<Quad> moment = cross(same.origin, same.direction);
+      const Quad distance = length(moment) / length(same.direction);
+      if (absolute(distance - 1) <= static_cast<Quad>(4 * kU)) continue;
+      ++checked;
+      const auto got = crossings(kUnit, ray, Departure());
+      const auto truth = crossings(Sphere<Quad>{{}, 1}, same, Departure());
+      ASSERT_EQ(got.size(), truth.size()) << k << ' ' << i;
+      for (int n = 0; n < got.size(); ++n) {
+        // A relative error e of the discriminant is e/2 of the root; two-word sums keep e below
+        // 4 eps, the fast path below 16 * 5/2 eps.
+        EXPECT_LE(
+            static_cast<double>(absolute(static_cast<Quad>(got[n].t) - truth[n].t) / truth[n].t) /
+                kU,
+            24)
+            << k;
+      }
+    }
+  }
+  EXPECT_GT(checked, 8000);
+}
 #endif
 
 }  // namespace
