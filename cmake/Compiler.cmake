@@ -20,7 +20,8 @@ add_library(alhazen_options INTERFACE)
 target_compile_options(alhazen_options INTERFACE
   -ffp-contract=off -fno-math-errno
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
-  -Woverloaded-virtual -Wnull-dereference -Wimplicit-fallthrough)
+  -Woverloaded-virtual -Wnull-dereference -Wimplicit-fallthrough
+  -Wno-missing-field-initializers)  # designated initialisers leave the rest to its defaults
 if(ALHAZEN_WERROR)
   target_compile_options(alhazen_options INTERFACE -Werror)
 endif()

@@ -3,14 +3,28 @@
 namespace alhazen::render {
 namespace {
 
+// Whether a ray that starts on another face through its own origin has to cross this one.
+template <class Real>
+bool is_ahead(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source, ShapeId id,
+              const Crossing<Real>& crossing) {
+  if (source.shape == kNoId || id == source.shape || source.arrival == Vec3d()) return true;
+  const Vec3<Real> normal = table.surface(id, ray, crossing).normal;
+  const bool arrived_against = dot(Vec3<Real>(source.arrival), normal) < Real(0);
+  const bool touched = id == source.earlier_shape && crossing.face == source.earlier_face;
+  return touched ? crossing.enters != arrived_against : crossing.enters == arrived_against;
+}
+
 // Calls `visit` with every hit up to t_max until it returns false.
 template <class Real, class Visitor>
 void for_each_hit(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source,
-                  Real t_max, const Visitor& visit) {
+                  Real t_max, ShapeId ignored, const Visitor& visit) {
   for (ShapeId id = 0; id < table.size(); ++id) {
+    if (id == ignored) continue;
     const Departure from = id == source.shape ? Departure{source.face, source.side} : Departure();
     for (const Crossing<Real>& c : table.crossings(id, ray, from)) {
-      if (c.t <= t_max && !visit(Hit<Real>{c.t, id, c.face, c.enters})) return;
+      if (!(c.t <= t_max)) continue;
+      if (c.t == Real(0) && !is_ahead(table, ray, source, id, c)) continue;
+      if (!visit(Hit<Real>{c.t, id, c.face, c.enters})) return;
     }
   }
 }
@@ -19,9 +33,9 @@ void for_each_hit(const ShapeTable<Real>& table, const Ray<Real>& ray, const Sou
 
 template <class Real>
 std::optional<Hit<Real>> closest_hit(const ShapeTable<Real>& table, const Ray<Real>& ray,
-                                     const Source& source, Real t_max) {
+                                     const Source& source, Real t_max, ShapeId ignored) {
   std::optional<Hit<Real>> best;
-  for_each_hit(table, ray, source, t_max, [&best](const Hit<Real>& hit) {
+  for_each_hit(table, ray, source, t_max, ignored, [&best](const Hit<Real>& hit) {
     if (!best || precedes(hit, *best)) best = hit;
     return true;
   });
@@ -30,9 +44,10 @@ std::optional<Hit<Real>> closest_hit(const ShapeTable<Real>& table, const Ray<Re
 
 template <class Real>
 std::optional<Hit<Real>> next_hit(const ShapeTable<Real>& table, const Ray<Real>& ray,
-                                  const Source& source, const Hit<Real>& previous, Real t_max) {
+                                  const Source& source, const Hit<Real>& previous, Real t_max,
+                                  ShapeId ignored) {
   std::optional<Hit<Real>> best;
-  for_each_hit(table, ray, source, t_max, [&](const Hit<Real>& hit) {
+  for_each_hit(table, ray, source, t_max, ignored, [&](const Hit<Real>& hit) {
     if (precedes(previous, hit) && (!best || precedes(hit, *best))) best = hit;
     return true;
   });
@@ -40,10 +55,10 @@ std::optional<Hit<Real>> next_hit(const ShapeTable<Real>& table, const Ray<Real>
 }
 
 template <class Real>
-bool any_hit(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source,
-             Real t_max) {
+bool any_hit(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source, Real t_max,
+             ShapeId ignored) {
   bool found = false;
-  for_each_hit(table, ray, source, t_max, [&found](const Hit<Real>&) {
+  for_each_hit(table, ray, source, t_max, ignored, [&found](const Hit<Real>&) {
     found = true;
     return false;
   });
@@ -51,21 +66,22 @@ bool any_hit(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& 
 }
 
 template std::optional<Hit<float>> closest_hit(const ShapeTable<float>&, const Ray<float>&,
-                                               const Source&, float);
+                                               const Source&, float, ShapeId);
 template std::optional<Hit<double>> closest_hit(const ShapeTable<double>&, const Ray<double>&,
-                                                const Source&, double);
+                                                const Source&, double, ShapeId);
 template std::optional<Hit<float>> next_hit(const ShapeTable<float>&, const Ray<float>&,
-                                            const Source&, const Hit<float>&, float);
+                                            const Source&, const Hit<float>&, float, ShapeId);
 template std::optional<Hit<double>> next_hit(const ShapeTable<double>&, const Ray<double>&,
-                                             const Source&, const Hit<double>&, double);
-template bool any_hit(const ShapeTable<float>&, const Ray<float>&, const Source&, float);
-template bool any_hit(const ShapeTable<double>&, const Ray<double>&, const Source&, double);
+                                             const Source&, const Hit<double>&, double, ShapeId);
+template bool any_hit(const ShapeTable<float>&, const Ray<float>&, const Source&, float, ShapeId);
+template bool any_hit(const ShapeTable<double>&, const Ray<double>&, const Source&, double,
+                      ShapeId);
 #if ALHAZEN_HAS_QUAD
 template std::optional<Hit<Quad>> closest_hit(const ShapeTable<Quad>&, const Ray<Quad>&,
-                                              const Source&, Quad);
+                                              const Source&, Quad, ShapeId);
 template std::optional<Hit<Quad>> next_hit(const ShapeTable<Quad>&, const Ray<Quad>&, const Source&,
-                                           const Hit<Quad>&, Quad);
-template bool any_hit(const ShapeTable<Quad>&, const Ray<Quad>&, const Source&, Quad);
+                                           const Hit<Quad>&, Quad, ShapeId);
+template bool any_hit(const ShapeTable<Quad>&, const Ray<Quad>&, const Source&, Quad, ShapeId);
 #endif
 
 }  // namespace alhazen::render

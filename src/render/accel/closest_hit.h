@@ -8,11 +8,20 @@
 
 namespace alhazen::render {
 
-// What the ray leaves. By default nothing: a ray of the camera.
+// Where a ray starts. By default nowhere in particular: a ray of the camera.
+//
+// The face that it leaves is divided out by identity. Other faces may pass through the very same
+// point: a corner of a room, a box that stands on a plane. Such a face is met at t = 0 if and only
+// if the ray has to get to its other side, and the side that it stands on is known: it came in the
+// direction `arrival`, so it stands where -arrival points; but if it touched the face at this same
+// point just before (`earlier`), it has turned or crossed there, and stands where arrival points.
 struct Source {
   ShapeId shape = kNoId;
   int face = kNoFace;
   Side side = Side::kByDirection;
+  Vec3d arrival;  // 0: not known, every face at t = 0 is met
+  ShapeId earlier_shape = kNoId;
+  int earlier_face = kNoFace;
 };
 
 template <class Real>
@@ -25,6 +34,20 @@ struct Hit {
   Crossing<Real> crossing() const { return {t, face, enters}; }
 };
 
+// Where a ray goes on that came from `before` along `direction` and met `hit`: back from the
+// surface, or across it.
+template <class Real>
+inline Source source_after(const Source& before, Vec3<Real> direction, const Hit<Real>& hit,
+                           bool across) {
+  Source after{hit.shape,        hit.face, hit.enters == across ? Side::kBelow : Side::kAbove,
+               Vec3d(direction), kNoId,    kNoFace};
+  if (hit.t == Real(0)) {
+    after.earlier_shape = before.shape;
+    after.earlier_face = before.face;
+  }
+  return after;
+}
+
 // The order of hits along a ray. Coincident surfaces are ordered by rule, not by chance: entering
 // before leaving, then by shape and face, so that one solid that ends where another begins leaves
 // no gap.
@@ -35,20 +58,23 @@ inline bool precedes(const Hit<Real>& a, const Hit<Real>& b) {
   return a.shape != b.shape ? a.shape < b.shape : a.face < b.face;
 }
 
-// The first hit with 0 <= t <= t_max (which may be infinite), or nothing.
+// The first hit with 0 <= t <= t_max (which may be infinite), or nothing. `ignored` is not met: the
+// visible surface of the light that a shadow ray is sent to.
 template <class Real>
 std::optional<Hit<Real>> closest_hit(const ShapeTable<Real>& table, const Ray<Real>& ray,
-                                     const Source& source, Real t_max);
+                                     const Source& source, Real t_max, ShapeId ignored = kNoId);
 
 // The first hit after `previous` in that order, on the same ray from the same source. Walking a
 // straight line so, as shadow rays through glass do, visits each crossing once, also where surfaces
 // coincide.
 template <class Real>
 std::optional<Hit<Real>> next_hit(const ShapeTable<Real>& table, const Ray<Real>& ray,
-                                  const Source& source, const Hit<Real>& previous, Real t_max);
+                                  const Source& source, const Hit<Real>& previous, Real t_max,
+                                  ShapeId ignored = kNoId);
 
 // Whether there is a hit with 0 <= t <= t_max.
 template <class Real>
-bool any_hit(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source, Real t_max);
+bool any_hit(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source, Real t_max,
+             ShapeId ignored = kNoId);
 
 }  // namespace alhazen::render
