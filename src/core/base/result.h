@@ -15,6 +15,7 @@ enum class ErrorCode {
   io,           // a file could not be read or written
   limit,        // a limit of size, time or memory was hit
   unsupported,  // this build cannot do it
+  stopped,      // asked to stop before it was done
 };
 
 // `message` starts in lower case and has no full stop: it is printed after "error: ".

@@ -89,6 +89,8 @@ void call_lights(const Scene& scene, EffectSet& set) {
     if (!light.casts_shadows) continue;
     set.call(Effect::shadows, light.span);
     if (is_area(light.source)) set.call(Effect::soft_shadows, light.span);
+    if (!set.has(Effect::refraction)) continue;
+    set.call(Effect::tinted_shadows, {});
     for (const SourceSpan glass : set.callers(Effect::refraction)) {
       set.call(Effect::tinted_shadows, glass);
     }

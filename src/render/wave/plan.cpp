@@ -37,7 +37,11 @@ class Planner {
                          effects_.has(Effect::coat) || effects_.has(Effect::mirror);
     const bool scatters =
         colored || effects_.has(Effect::metal) || effects_.has(Effect::refraction);
-    if (scatters) always(StageId::surfaces);
+    if (effects_.has(Effect::textures)) {
+      when(StageId::textured_surfaces, {Effect::textures});
+    } else if (scatters) {
+      always(StageId::surfaces);
+    }
     if (effects_.has(Effect::textures)) {
       when(StageId::textured_colors, {Effect::textures});
     } else if (colored) {

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "core/math/vec.h"
-#include "render/shape/ray.h"
+#include "render/accel/closest_hit.h"
+#include "render/surface/texture_point.h"
 #include "render/wave/media.h"
 
 namespace alhazen::render {
@@ -20,7 +21,7 @@ using SlotId = std::uint32_t;
 template <class Real>
 struct RayQueue {
   std::vector<Vec3<Real>> origin, direction;
-  std::vector<Departure<Real>> departure;
+  std::vector<Source> source;
   std::vector<Rgb<Real>> weight;     // of the radiance that comes along the ray, in the sample's
   std::vector<SlotId> slot;          // not decreasing
   std::vector<MediumId> medium;      // what the ray starts in
@@ -31,22 +32,49 @@ struct RayQueue {
   bool empty() const { return slot.empty(); }
   Ray<Real> ray(std::size_t i) const { return {origin[i], direction[i]}; }
 
-  void push(const Ray<Real>& ray, const Departure<Real>& from, Rgb<Real> w, SlotId s, MediumId m,
+  void push(const Ray<Real>& ray, const Source& from, Rgb<Real> w, SlotId s, MediumId m,
             std::uint64_t p, std::uint32_t d) {
     origin.push_back(ray.origin);
     direction.push_back(ray.direction);
-    departure.push_back(from);
+    source.push_back(from);
     weight.push_back(w);
     slot.push_back(s);
     medium.push_back(m);
     path.push_back(p);
     depth.push_back(d);
   }
-  void clear() { resize(0); }
-  void resize(std::size_t size) {
+  void clear() { truncate(0); }
+
+  // The index nearest to `near`, not above it, at which a new sample's rays begin; 0 if none does.
+  std::size_t cut_near(std::size_t near) const {
+    while (near > 0 && slot[near - 1] == slot[near])
+      --near;
+    return near;
+  }
+
+  // Takes the rays from `begin` on out of the queue.
+  RayQueue split_off(std::size_t begin) {
+    RayQueue tail;
+    const auto move_tail = [begin](auto& from, auto& to) {
+      to.assign(from.begin() + static_cast<std::ptrdiff_t>(begin), from.end());
+    };
+    move_tail(origin, tail.origin);
+    move_tail(direction, tail.direction);
+    move_tail(source, tail.source);
+    move_tail(weight, tail.weight);
+    move_tail(slot, tail.slot);
+    move_tail(medium, tail.medium);
+    move_tail(path, tail.path);
+    move_tail(depth, tail.depth);
+    truncate(begin);
+    return tail;
+  }
+
+ private:
+  void truncate(std::size_t size) {
     origin.resize(size);
     direction.resize(size);
-    departure.resize(size);
+    source.resize(size);
     weight.resize(size);
     slot.resize(size);
     medium.resize(size);
@@ -59,27 +87,31 @@ struct RayQueue {
 template <class Real>
 struct HitQueue {
   std::vector<std::uint32_t> ray;  // index into the generation's RayQueue
-  std::vector<Real> t;
-  std::vector<SurfaceId> surface;
+  std::vector<Hit<Real>> hit;
   std::vector<MaterialId> material;
-  std::vector<Vec3<Real>> position;          // on the surface, world frame of the renderer
-  std::vector<Vec3<Real>> geometric_normal;  // outward, unit
-  std::vector<Vec3<Real>> shading_normal;    // unit, on the side that the ray came from
-  std::vector<Real> u, v;
+  std::vector<Vec3<Real>> position;               // on the surface, world frame of the renderer
+  std::vector<Vec3<Real>> geometric_normal;       // outward, unit
+  std::vector<Vec3<Real>> shading_normal;         // unit, on the side that the ray came from
+  std::vector<TexturePoint<Real>> texture_point;  // only where the plan has textures
   std::vector<Rgb<Real>> color;  // albedo or reflectance, of materials that have one
 
   std::size_t size() const { return ray.size(); }
-  void clear() { resize(0); }
-  void resize(std::size_t size) {
-    ray.resize(size);
-    t.resize(size);
-    surface.resize(size);
-    material.resize(size);
+  void push(std::uint32_t r, const Hit<Real>& what, MaterialId m) {
+    ray.push_back(r);
+    hit.push_back(what);
+    material.push_back(m);
+  }
+  void clear() {
+    ray.clear();
+    hit.clear();
+    material.clear();
+  }
+  // Makes room for what the later stages find out about each hit.
+  void resize_points() {
+    const std::size_t size = ray.size();
     position.resize(size);
     geometric_normal.resize(size);
     shading_normal.resize(size);
-    u.resize(size);
-    v.resize(size);
     color.resize(size);
   }
 };
@@ -88,7 +120,7 @@ struct HitQueue {
 template <class Real>
 struct ShadowQueue {
   std::vector<Vec3<Real>> origin, direction;
-  std::vector<Departure<Real>> departure;
+  std::vector<Source> source;
   std::vector<Real> distance;        // to the light; infinite for a directional one
   std::vector<ShapeId> light_shape;  // the light's own visible surface, which does not shadow it
   std::vector<Rgb<Real>> radiance;
@@ -96,11 +128,11 @@ struct ShadowQueue {
   std::vector<MediumId> medium;
 
   std::size_t size() const { return slot.size(); }
-  void push(const Ray<Real>& ray, const Departure<Real>& from, Real dist, ShapeId shape,
-            Rgb<Real> l, SlotId s, MediumId m) {
+  void push(const Ray<Real>& ray, const Source& from, Real dist, ShapeId shape, Rgb<Real> l,
+            SlotId s, MediumId m) {
     origin.push_back(ray.origin);
     direction.push_back(ray.direction);
-    departure.push_back(from);
+    source.push_back(from);
     distance.push_back(dist);
     light_shape.push_back(shape);
     radiance.push_back(l);
@@ -110,7 +142,7 @@ struct ShadowQueue {
   void clear() {
     origin.clear();
     direction.clear();
-    departure.clear();
+    source.clear();
     distance.clear();
     light_shape.clear();
     radiance.clear();

@@ -1,0 +1,60 @@
+// render/wave: the lights that shine, one array a kind, with what the stages need besides the light
+// itself.
+#pragma once
+
+#include <vector>
+
+#include "core/base/overloaded.h"
+#include "core/scene/effect.h"
+#include "render/light/directional_light.h"
+#include "render/light/point_light.h"
+#include "render/light/rectangle_light.h"
+#include "render/light/sphere_light.h"
+#include "render/light/spot_light.h"
+
+namespace alhazen::render {
+
+template <class Kernel>
+struct PlacedLight {
+  Kernel kernel;
+  LightId id;
+  bool casts_shadows;
+  ShapeId visible_shape;  // does not shadow its own light
+};
+
+template <class Real>
+struct Lights {
+  Lights(const std::vector<Light>& lights, Vec3d world_offset) {
+    for (LightId id = 0; id < lights.size(); ++id) {
+      const Light& light = lights[id];
+      if (!shines(light)) continue;
+      const auto place = [&](auto& list, auto kernel) {
+        list.push_back({kernel, id, light.casts_shadows, light.visible_shape});
+      };
+      std::visit(
+          Overloaded{
+              [&](const PointLight& l) { place(points, PointLightKernel<Real>(l, world_offset)); },
+              [&](const DirectionalLight& l) {
+                place(directionals, DirectionalLightKernel<Real>(l));
+              },
+              [&](const SpotLight& l) { place(spots, SpotLightKernel<Real>(l, world_offset)); },
+              [&](const SphereLight& l) {
+                place(spheres, SphereLightKernel<Real>(l, world_offset));
+              },
+              [&](const RectangleLight& l) {
+                place(rectangles, RectangleLightKernel<Real>(l, world_offset));
+              },
+              [&](const AmbientLight& l) { ambient += Rgb<Real>(l.radiance); }},
+          light.source);
+    }
+  }
+
+  std::vector<PlacedLight<PointLightKernel<Real>>> points;
+  std::vector<PlacedLight<DirectionalLightKernel<Real>>> directionals;
+  std::vector<PlacedLight<SpotLightKernel<Real>>> spots;
+  std::vector<PlacedLight<SphereLightKernel<Real>>> spheres;
+  std::vector<PlacedLight<RectangleLightKernel<Real>>> rectangles;
+  Rgb<Real> ambient;
+};
+
+}  // namespace alhazen::render

@@ -1,0 +1,89 @@
+// render/wave: the scene's materials as the stages want them: flat records, kinds that tell the
+// stages apart, constants of the optics computed once.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/effect.h"
+#include "core/scene/scene.h"
+#include "render/surface/coat.h"
+#include "render/surface/highlight.h"
+
+namespace alhazen::render {
+
+// Which stages a hit goes to. `matte` is diffuse without a highlight, `glossy` diffuse with one.
+enum class SurfaceKind : std::uint8_t { black, matte, glossy, coat, mirror, metal, glass };
+
+template <class Real>
+struct MaterialRecord {
+  SurfaceKind kind = SurfaceKind::black;
+  bool emits = false;
+  Rgb<Real> emission;
+  TextureId color = kNoId;  // albedo or reflectance
+  HighlightLobe<Real> lobe;
+  CoatLayer<Real> coat;
+  Rgb<Real> conductor_n, conductor_k;
+  Real ior = 1;
+  Rgb<Real> absorption;  // of glass, per length
+};
+
+template <class Real>
+class MaterialTable {
+ public:
+  explicit MaterialTable(const Scene& scene) {
+    const std::vector<std::optional<Rgbd>> solid = solid_colors(scene);
+    for (const Material& material : scene.materials) {
+      MaterialRecord<Real> record;
+      record.emission = Rgb<Real>(material.emission);
+      record.emits = !is_black(material.emission);
+      std::visit([&](const auto& m) { fill(m, solid, record); }, material.scattering);
+      records_.push_back(record);
+      const auto* glass = std::get_if<Glass>(&material.scattering);
+      priorities_.push_back(glass ? glass->priority : 0);
+    }
+  }
+
+  const MaterialRecord<Real>& operator[](MaterialId id) const { return records_[id]; }
+  const std::vector<int>& priorities() const { return priorities_; }
+
+ private:
+  using Solid = std::vector<std::optional<Rgbd>>;
+
+  static void fill(const Diffuse& m, const Solid& solid, MaterialRecord<Real>& record) {
+    record.color = m.albedo;
+    if (!is_black(m.highlight.strength)) {
+      record.lobe = make_highlight_lobe<Real>(m.highlight);
+      record.kind = SurfaceKind::glossy;
+    } else if (!is_zero(solid[m.albedo])) {
+      record.kind = SurfaceKind::matte;
+    }
+  }
+  static void fill(const Mirror& m, const Solid& solid, MaterialRecord<Real>& record) {
+    record.color = m.reflectance;
+    if (!is_zero(solid[m.reflectance])) record.kind = SurfaceKind::mirror;
+  }
+  static void fill(const Metal& m, const Solid&, MaterialRecord<Real>& record) {
+    record.kind = SurfaceKind::metal;
+    record.conductor_n = Rgb<Real>(m.n);
+    record.conductor_k = Rgb<Real>(m.k);
+  }
+  static void fill(const Glass& m, const Solid&, MaterialRecord<Real>& record) {
+    record.kind = SurfaceKind::glass;
+    record.ior = static_cast<Real>(m.ior);
+    record.absorption = Rgb<Real>(m.absorption);
+  }
+  static void fill(const Coat& m, const Solid&, MaterialRecord<Real>& record) {
+    record.kind = SurfaceKind::coat;
+    record.color = m.base_albedo;
+    record.coat = make_coat_layer<Real>(m);
+  }
+  static void fill(const Black&, const Solid&, MaterialRecord<Real>&) {}
+
+  static bool is_zero(const std::optional<Rgbd>& color) { return color && is_black(*color); }
+
+  std::vector<MaterialRecord<Real>> records_;
+  std::vector<int> priorities_;
+};
+
+}  // namespace alhazen::render

@@ -1,0 +1,10 @@
+#include "render/wave/render_precision.h"
+#include "render/wave/render_scene.h"
+
+namespace alhazen::render {
+
+Result<RenderOutput> render_in_float(const RenderJob& job) {
+  return render_scene<float>(job);
+}
+
+}  // namespace alhazen::render

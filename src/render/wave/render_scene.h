@@ -1,0 +1,140 @@
+// render/wave: the whole picture in one scalar type: tiles handed out to workers, figures added up.
+// Included where it is instantiated, once a scalar type.
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+#include "render/wave/tile_render.h"
+
+namespace alhazen::render {
+
+// What render() has checked and decided before a scalar type comes in.
+struct RenderJob {
+  const Scene& scene;
+  const std::vector<ImagePixels>& images;
+  const RenderOptions& options;
+  const StagePlan& plan;
+  PixelRect window;
+  const ProgressListener& progress;
+};
+
+inline std::vector<PixelRect> tiles_of(PixelRect window, int size) {
+  std::vector<PixelRect> tiles;
+  for (int y = 0; y < window.height; y += size) {
+    for (int x = 0; x < window.width; x += size) {
+      tiles.push_back({window.x + x, window.y + y, std::min(size, window.width - x),
+                       std::min(size, window.height - y)});
+    }
+  }
+  return tiles;
+}
+
+// What the workers share.
+struct TileQueue {
+  std::vector<PixelRect> tiles;
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stopped{false};
+  std::mutex progress_mutex;
+  std::uint64_t pixels_done = 0;
+};
+
+inline void add_figures(const WaveCounters& from, const StagePlan& plan, RenderStatistics& to) {
+  to.camera_rays += from.camera_rays;
+  to.reflection_rays += from.reflection_rays;
+  to.refraction_rays += from.refraction_rays;
+  to.shadow_rays += from.shadow_rays;
+  to.cut_by_depth += from.cut_by_depth;
+  to.cut_by_weight += from.cut_by_weight;
+  std::size_t k = 0;
+  for (const auto* phase : {&plan.start, &plan.generation}) {
+    for (const PlannedStage& stage : *phase) {
+      if (to.stages.size() <= k) to.stages.push_back({stage.id, 0, 0});
+      to.stages[k].rays += from.stage_items[static_cast<std::size_t>(stage.id)];
+      to.stages[k].cpu_seconds += from.stage_seconds[static_cast<std::size_t>(stage.id)];
+      ++k;
+    }
+  }
+}
+
+template <class Real>
+void work(const TileJob<Real>& job, const RenderJob& whole, TileQueue& queue, Picture& picture,
+          RenderStatistics& statistics) {
+  const double started = thread_cpu_seconds();
+  TileRenderer<Real> renderer(job);
+  for (;;) {
+    const std::size_t index = queue.next.fetch_add(1);
+    if (index >= queue.tiles.size() || queue.stopped.load()) break;
+    const PixelRect tile = queue.tiles[index];
+    if (!renderer.render(tile, picture)) {
+      queue.stopped = true;
+      break;
+    }
+    const std::lock_guard lock(queue.progress_mutex);
+    queue.pixels_done += static_cast<std::uint64_t>(tile.width) * tile.height;
+    if (whole.progress) {
+      whole.progress(queue.pixels_done, static_cast<std::uint64_t>(whole.window.width) *
+                                            static_cast<std::uint64_t>(whole.window.height));
+    }
+  }
+  const std::lock_guard lock(queue.progress_mutex);
+  add_figures(renderer.counters(), job.plan, statistics);
+  statistics.samples += renderer.samples();
+  statistics.dropped_weight_max =
+      std::max(statistics.dropped_weight_max, renderer.largest_dropped_weight());
+  statistics.cpu_seconds += thread_cpu_seconds() - started;
+}
+
+inline void make_planes(PixelRect window, const AovRequest& aovs, Picture& picture) {
+  const std::size_t pixels =
+      static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
+  const auto plane = [pixels](bool wanted, std::vector<float>& values, std::size_t channels) {
+    if (wanted) values.resize(channels * pixels);
+  };
+  picture.window = window;
+  picture.rgb.resize(3 * pixels);
+  picture.alpha.resize(pixels);
+  plane(aovs.depth, picture.depth, 1);
+  plane(aovs.normal, picture.normal, 3);
+  plane(aovs.position, picture.position, 3);
+  plane(aovs.uv, picture.uv, 2);
+  plane(aovs.albedo, picture.albedo, 3);
+  plane(aovs.samples, picture.samples, 1);
+  plane(aovs.cost, picture.cost, 1);
+  if (aovs.object_ids) picture.objects.resize(pixels);
+  if (aovs.material_ids) picture.materials.resize(pixels);
+}
+
+template <class Real>
+Result<RenderOutput> render_scene(const RenderJob& whole) {
+  const auto started = std::chrono::steady_clock::now();
+  RenderOutput output;
+  output.plan = whole.plan;
+  make_planes(whole.window, whole.options.aovs, output.picture);
+  const World<Real> world(whole.scene, whole.images);
+  const Filter filter(whole.scene.settings.filter);
+  const TileJob<Real> job{world,  output.plan,  whole.scene.settings, whole.scene.camera,
+                          filter, whole.options};
+  TileQueue queue;
+  queue.tiles = tiles_of(whole.window, TileRenderer<Real>::kTileSize);
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t wanted = whole.options.threads > 0
+                                 ? static_cast<std::size_t>(whole.options.threads)
+                                 : static_cast<std::size_t>(cores);
+  const std::size_t threads = std::min(wanted, std::max<std::size_t>(1, queue.tiles.size()));
+  {
+    std::vector<std::jthread> workers;
+    for (std::size_t k = 1; k < threads; ++k) {
+      workers.emplace_back([&] { work(job, whole, queue, output.picture, output.statistics); });
+    }
+    work(job, whole, queue, output.picture, output.statistics);
+  }
+  if (queue.stopped.load()) return Error{ErrorCode::stopped, "stopped before it was done"};
+  output.statistics.threads = static_cast<int>(threads);
+  output.statistics.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return output;
+}
+
+}  // namespace alhazen::render

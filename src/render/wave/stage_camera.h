@@ -1,0 +1,58 @@
+// render/wave: the stages that start a batch: camera rays, and the solids that they start in.
+#pragma once
+
+#include "core/math/random.h"
+#include "render/wave/wave.h"
+
+namespace alhazen::render {
+
+// What the random numbers of a pixel are for. Light `l` has the dimension kFirstLightDimension + l,
+// of the branch of the ray tree that meets it.
+inline constexpr std::uint64_t kFilterDimension = 16, kLensDimension = 17;
+inline constexpr std::uint64_t kFirstLightDimension = 32;
+
+inline std::uint64_t pixel_seed(std::uint64_t seed, std::int32_t x, std::int32_t y) {
+  return mix_64(mix_64(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
+}
+
+template <class Real>
+void push_camera_ray(Wave<Real>& wave, SlotId slot, const Ray<Real>& ray, std::uint64_t path) {
+  ++wave.slots.rays[slot];
+  wave.rays.push(ray, {}, Rgb<Real>(Real(1)), slot, kVacuum, path, 0);
+}
+
+template <class Real>
+void start_camera_rays(Wave<Real>& wave) {
+  const Slots<Real>& slots = wave.slots;
+  for (std::size_t s = 0; s < slots.size(); ++s) {
+    const CameraRay<Real> ray = wave.world.camera.ray(slots.film_point(s), Real(0), Real(0));
+    push_camera_ray(wave, static_cast<SlotId>(s), {ray.origin, ray.direction},
+                    pixel_seed(wave.world.seed, slots.x[s], slots.y[s]));
+  }
+}
+
+template <class Real>
+void start_lens_rays(Wave<Real>& wave) {
+  const Slots<Real>& slots = wave.slots;
+  for (std::size_t s = 0; s < slots.size(); ++s) {
+    const std::uint64_t path = pixel_seed(wave.world.seed, slots.x[s], slots.y[s]);
+    const Sample2d lens = sample_2d(mix_64(path, kLensDimension), slots.sample[s]);
+    const CameraRay<Real> ray = wave.world.camera.ray(slots.film_point(s), unit_real<Real>(lens.x),
+                                                      unit_real<Real>(lens.y));
+    push_camera_ray(wave, static_cast<SlotId>(s), {ray.origin, ray.direction}, path);
+  }
+}
+
+// Solids that hold a ray's origin count as entered in the order of the scene: of those of equal
+// priority the one written last is there.
+template <class Real>
+void find_camera_media(Wave<Real>& wave) {
+  for (std::size_t i = 0; i < wave.rays.size(); ++i) {
+    for (const ShapeId solid : wave.world.glass_solids) {
+      if (!wave.world.shapes.contains(solid, wave.rays.origin[i])) continue;
+      wave.rays.medium[i] = wave.media.enter(wave.rays.medium[i], wave.world.material_of[solid]);
+    }
+  }
+}
+
+}  // namespace alhazen::render

@@ -1,0 +1,95 @@
+// render/wave: the stages that find what rays meet and where, and what they lose on the way.
+#pragma once
+
+#include "render/surface/absorption.h"
+#include "render/wave/wave.h"
+
+namespace alhazen::render {
+
+// Splits the generation into hits, sorted into the lists of their surface's kind, and escaped rays.
+template <class Real>
+void find_closest_hits(Wave<Real>& wave) {
+  for (std::size_t i = 0; i < wave.rays.size(); ++i) {
+    const auto ray = static_cast<std::uint32_t>(i);
+    const std::optional<Hit<Real>> hit =
+        closest_hit(wave.world.shapes, wave.rays.ray(i), wave.rays.source[i], infinity<Real>());
+    if (!hit) {
+      wave.escaped.push_back(ray);
+      continue;
+    }
+    wave.hits.push(ray, *hit, wave.world.material_of[hit->shape]);
+  }
+  wave.sort_hits();
+}
+
+// Beer and Lambert's law over the segment just travelled, in the medium that it lay in.
+template <class Real>
+void absorb(Wave<Real>& wave) {
+  const auto lose = [&](std::size_t i, Real distance) {
+    const MaterialId inside =
+        wave.media.current(wave.rays.medium[i], wave.world.materials.priorities());
+    if (inside == kNoId) return;
+    const Rgb<Real> absorption = wave.world.materials[inside].absorption;
+    wave.rays.weight[i] = wave.rays.weight[i] * transmitted_share(absorption, distance);
+  };
+  for (std::size_t h = 0; h < wave.hits.size(); ++h)
+    lose(wave.hits.ray[h], wave.hits.hit[h].t);
+  for (const std::uint32_t i : wave.escaped)
+    lose(i, infinity<Real>());
+}
+
+template <class Real>
+void add_background(Wave<Real>& wave) {
+  for (const std::uint32_t i : wave.escaped) {
+    if (wave.world.transparent_background && wave.rays.source[i].shape == kNoId) continue;
+    wave.add(i, wave.world.background(wave.rays.direction[i]));
+  }
+}
+
+// Position and normals, and for textures the coordinates that they ask for. The shading normal is
+// turned to the side that the ray came from.
+template <class Real, bool with_coordinates>
+void find_surfaces(Wave<Real>& wave) {
+  auto& hits = wave.hits;
+  if constexpr (with_coordinates) hits.texture_point.resize(hits.size());
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    const Hit<Real>& hit = hits.hit[h];
+    const SurfacePoint<Real> point =
+        wave.world.shapes.surface(hit.shape, wave.rays.ray(hits.ray[h]), hit.crossing());
+    hits.position[h] = point.position;
+    hits.geometric_normal[h] = point.normal;
+    hits.shading_normal[h] = hit.enters ? point.shading_normal : -point.shading_normal;
+    if constexpr (with_coordinates) {
+      hits.texture_point[h] = {point.object_position, point.position, point.u, point.v};
+    }
+  }
+}
+
+template <class Real>
+void find_plain_colors(Wave<Real>& wave) {
+  auto& hits = wave.hits;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    const TextureId color = wave.world.materials[hits.material[h]].color;
+    if (color != kNoId) hits.color[h] = *wave.world.textures.solid_color(color);
+  }
+}
+
+template <class Real>
+void find_textured_colors(Wave<Real>& wave) {
+  auto& hits = wave.hits;
+  for (std::size_t h = 0; h < hits.size(); ++h) {
+    const TextureId color = wave.world.materials[hits.material[h]].color;
+    if (color != kNoId) {
+      hits.color[h] = wave.world.textures.color(color, hits.texture_point[h]);
+    }
+  }
+}
+
+template <class Real>
+void add_emission(Wave<Real>& wave) {
+  for (const std::uint32_t h : wave.glowing) {
+    wave.add(wave.hits.ray[h], wave.world.materials[wave.hits.material[h]].emission);
+  }
+}
+
+}  // namespace alhazen::render

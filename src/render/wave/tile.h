@@ -1,0 +1,73 @@
+// render/wave: one tile of the picture: which samples its pixels still want, in batches, until all
+// have what they ask for.
+#pragma once
+
+#include <vector>
+
+#include "render/film/filter.h"
+#include "render/film/pixel_accumulator.h"
+#include "render/wave/center_ray.h"
+#include "render/wave/coverage.h"
+#include "render/wave/integrate.h"
+
+namespace alhazen::render {
+
+// Everything that all tiles share and none changes.
+template <class Real>
+struct TileJob {
+  const World<Real>& world;
+  const StagePlan& plan;
+  const RenderSettings& settings;
+  const Camera& camera;
+  const Filter& filter;
+  const RenderOptions& options;
+};
+
+template <class Real>
+class TileRenderer {
+ public:
+  static constexpr int kTileSize = 16;                // pixels on each side
+  static constexpr std::size_t kBatchSamples = 4096;  // camera samples followed at once
+
+  explicit TileRenderer(const TileJob<Real>& job) : job_(job), integrator_(job.world, job.plan) {}
+
+  // Renders `tile`, a part of `picture.window`, into the picture. False when the run was cancelled.
+  bool render(PixelRect tile, Picture& picture);
+
+  const WaveCounters& counters() const { return integrator_.wave().counters; }
+  std::uint64_t samples() const { return samples_; }
+  double largest_dropped_weight() const { return largest_dropped_weight_; }
+
+ private:
+  struct Pixel {
+    std::int32_t x, y;
+    std::uint32_t taken = 0, wanted = 0;
+    PixelAccumulator<3> radiance;
+    Rgb<Real> albedo;
+    std::uint32_t met = 0;
+    std::uint64_t rays = 0;
+    CoverageCounter objects, materials;
+  };
+  // The samples [first, first + count) of a pixel.
+  struct SampleRange {
+    std::size_t pixel;
+    std::uint32_t first, count;
+  };
+
+  void start(PixelRect tile);
+  bool run_wanted();
+  void run_batch(const std::vector<SampleRange>& spans);
+  void place_sample(std::size_t slot, const Pixel& pixel, std::uint32_t sample);
+  void collect(const std::vector<SampleRange>& spans);
+  bool want_more();
+  void finish(Picture& picture);
+
+  TileJob<Real> job_;
+  Integrator<Real> integrator_;
+  std::vector<Pixel> pixels_;
+  std::vector<std::uint8_t> negative_;  // whether the filter is, at the slot's place
+  std::uint64_t samples_ = 0;
+  double largest_dropped_weight_ = 0;
+};
+
+}  // namespace alhazen::render

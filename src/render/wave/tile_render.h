@@ -1,0 +1,167 @@
+// render/wave: the work of TileRenderer. Included where it is instantiated, once a scalar type.
+#pragma once
+
+#include <algorithm>
+
+#include "render/wave/tile.h"
+
+namespace alhazen::render {
+
+template <class Real>
+bool TileRenderer<Real>::render(PixelRect tile, Picture& picture) {
+  start(tile);
+  do {
+    if (!run_wanted()) return false;
+  } while (want_more());
+  finish(picture);
+  return true;
+}
+
+template <class Real>
+void TileRenderer<Real>::start(PixelRect tile) {
+  const auto& adaptive = job_.settings.adaptive;
+  const int first =
+      adaptive ? std::min(adaptive->min_samples, job_.settings.samples) : job_.settings.samples;
+  pixels_.clear();
+  for (int y = tile.y; y < tile.y + tile.height; ++y) {
+    for (int x = tile.x; x < tile.x + tile.width; ++x) {
+      Pixel pixel;
+      pixel.x = x;
+      pixel.y = y;
+      pixel.wanted = static_cast<std::uint32_t>(first);
+      pixels_.push_back(std::move(pixel));
+    }
+  }
+}
+
+// Runs batches until every pixel has the samples it wants.
+template <class Real>
+bool TileRenderer<Real>::run_wanted() {
+  std::vector<SampleRange> spans;
+  std::size_t size = 0;
+  const auto flush = [&] {
+    if (size > 0) run_batch(spans);
+    spans.clear();
+    size = 0;
+    return job_.options.cancel == nullptr || !job_.options.cancel->load();
+  };
+  for (std::size_t p = 0; p < pixels_.size(); ++p) {
+    std::uint32_t next = pixels_[p].taken;
+    while (next < pixels_[p].wanted) {
+      const auto room = static_cast<std::uint32_t>(kBatchSamples - size);
+      const std::uint32_t count = std::min(pixels_[p].wanted - next, room);
+      spans.push_back({p, next, count});
+      next += count;
+      size += count;
+      if (size == kBatchSamples && !flush()) return false;
+    }
+  }
+  return flush();
+}
+
+template <class Real>
+void TileRenderer<Real>::run_batch(const std::vector<SampleRange>& spans) {
+  std::size_t size = 0;
+  for (const SampleRange& span : spans)
+    size += span.count;
+  integrator_.wave().slots.resize(size);
+  negative_.resize(size);
+  std::size_t slot = 0;
+  for (const SampleRange& span : spans) {
+    for (std::uint32_t k = 0; k < span.count; ++k) {
+      place_sample(slot++, pixels_[span.pixel], span.first + k);
+    }
+  }
+  integrator_.run_batch();
+  collect(spans);
+  samples_ += size;
+}
+
+// Puts a sample where the reconstruction filter wants it; the only sample of a pixel goes to its
+// centre.
+template <class Real>
+void TileRenderer<Real>::place_sample(std::size_t slot, const Pixel& pixel, std::uint32_t sample) {
+  Slots<Real>& slots = integrator_.wave().slots;
+  slots.x[slot] = pixel.x;
+  slots.y[slot] = pixel.y;
+  slots.sample[slot] = sample;
+  slots.offset_x[slot] = slots.offset_y[slot] = Real(0);
+  negative_[slot] = 0;
+  if (job_.settings.samples == 1) return;
+  const std::uint64_t path = pixel_seed(job_.world.seed, pixel.x, pixel.y);
+  const Sample2d bits = sample_2d(mix_64(path, kFilterDimension), sample);
+  const FilterSample place =
+      job_.filter.sample(unit_real<double>(bits.x), unit_real<double>(bits.y));
+  slots.offset_x[slot] = static_cast<Real>(place.x);
+  slots.offset_y[slot] = static_cast<Real>(place.y);
+  negative_[slot] = place.negative ? 1 : 0;
+}
+
+template <class Real>
+void TileRenderer<Real>::collect(const std::vector<SampleRange>& spans) {
+  const Slots<Real>& slots = integrator_.wave().slots;
+  const AovRequest& aovs = job_.options.aovs;
+  std::size_t slot = 0;
+  for (const SampleRange& span : spans) {
+    Pixel& pixel = pixels_[span.pixel];
+    for (std::uint32_t k = 0; k < span.count; ++k, ++slot) {
+      const Rgbd radiance(slots.radiance[slot]);
+      pixel.radiance.add({radiance.r, radiance.g, radiance.b}, negative_[slot] != 0);
+      pixel.rays += slots.rays[slot];
+      pixel.met += slots.met_something[slot];
+      if (aovs.albedo) pixel.albedo += slots.first_color[slot];
+      const ShapeId first = slots.first_shape[slot];
+      if (first != kNoId && aovs.object_ids) pixel.objects.add(first);
+      if (first != kNoId && aovs.material_ids) pixel.materials.add(job_.world.material_of[first]);
+      largest_dropped_weight_ = std::max(largest_dropped_weight_,
+                                         static_cast<double>(largest_channel(slots.dropped[slot])));
+    }
+    pixel.taken += span.count;
+  }
+}
+
+// Adaptive sampling: another round for the pixels whose mean is not yet known well enough.
+template <class Real>
+bool TileRenderer<Real>::want_more() {
+  const auto& adaptive = job_.settings.adaptive;
+  if (!adaptive) return false;
+  const auto most = static_cast<std::uint32_t>(job_.settings.samples);
+  bool any = false;
+  for (Pixel& pixel : pixels_) {
+    if (pixel.taken >= most) continue;
+    if (pixel.radiance.standard_error(job_.filter) <= adaptive->threshold) continue;
+    pixel.wanted = std::min(most, 2 * pixel.taken);
+    any = true;
+  }
+  return any;
+}
+
+template <class Real>
+void TileRenderer<Real>::finish(Picture& picture) {
+  const AovRequest& aovs = job_.options.aovs;
+  for (const Pixel& pixel : pixels_) {
+    const std::size_t column = static_cast<std::size_t>(pixel.x - picture.window.x);
+    const std::size_t row = static_cast<std::size_t>(pixel.y - picture.window.y);
+    const std::size_t p = row * static_cast<std::size_t>(picture.window.width) + column;
+    const auto mean = pixel.radiance.mean(job_.filter);
+    std::copy(mean.begin(), mean.end(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * p));
+    const auto taken = static_cast<float>(pixel.taken);
+    picture.alpha[p] =
+        job_.settings.transparent_background ? static_cast<float>(pixel.met) / taken : 1.0F;
+    if (aovs.albedo) {
+      const Rgbd albedo = Rgbd(pixel.albedo) / static_cast<double>(pixel.taken);
+      picture.albedo[3 * p] = static_cast<float>(albedo.r);
+      picture.albedo[3 * p + 1] = static_cast<float>(albedo.g);
+      picture.albedo[3 * p + 2] = static_cast<float>(albedo.b);
+    }
+    if (aovs.samples) picture.samples[p] = taken;
+    if (aovs.cost) picture.cost[p] = static_cast<float>(pixel.rays);
+    if (aovs.object_ids) picture.objects[p] = pixel.objects.shares(pixel.taken);
+    if (aovs.material_ids) picture.materials[p] = pixel.materials.shares(pixel.taken);
+    if (aovs.depth || aovs.position || aovs.normal || aovs.uv) {
+      write_center_geometry(job_.world, aovs, job_.camera, pixel.x, pixel.y, p, picture);
+    }
+  }
+}
+
+}  // namespace alhazen::render

@@ -1,0 +1,163 @@
+// render/wave: one worker's rays in flight: the queues of a batch, what the stages read and write.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "render/wave/media.h"
+#include "render/wave/queue.h"
+#include "render/wave/render.h"
+#include "render/wave/world.h"
+
+namespace alhazen::render {
+
+// One camera sample of a batch: which it is, and what its rays have added up to.
+template <class Real>
+struct Slots {
+  std::vector<std::int32_t> x, y;        // the pixel, in the frame
+  std::vector<std::uint32_t> sample;     // its number within the pixel
+  std::vector<Real> offset_x, offset_y;  // of its ray from the pixel's centre, in pixels
+  std::vector<Rgb<Real>> radiance;
+  std::vector<std::uint8_t> met_something;  // by the camera ray
+  std::vector<std::uint32_t> rays;          // traced for it, of all kinds
+  std::vector<Rgb<Real>> dropped;           // weight of children that were cut
+  std::vector<ShapeId> first_shape;         // that the camera ray met; kNoId: none
+  std::vector<Rgb<Real>> first_color;       // its albedo
+
+  std::size_t size() const { return x.size(); }
+  FilmPoint<Real> film_point(std::size_t s) const { return {x[s], y[s], offset_x[s], offset_y[s]}; }
+  void resize(std::size_t count) {
+    x.resize(count);
+    y.resize(count);
+    sample.resize(count);
+    offset_x.resize(count);
+    offset_y.resize(count);
+    radiance.assign(count, {});
+    met_something.assign(count, 0);
+    rays.assign(count, 0);
+    dropped.assign(count, {});
+    first_shape.assign(count, kNoId);
+    first_color.assign(count, {});
+  }
+};
+
+struct WaveCounters {
+  std::uint64_t camera_rays = 0, reflection_rays = 0, refraction_rays = 0, shadow_rays = 0;
+  std::uint64_t cut_by_depth = 0, cut_by_weight = 0;
+  std::array<std::uint64_t, kStageCount> stage_items{};
+  std::array<double, kStageCount> stage_seconds{};
+};
+
+template <class Real>
+struct Wave {
+  explicit Wave(const World<Real>& w) : world(w) {}
+
+  const World<Real>& world;
+  Slots<Real> slots;
+  RayQueue<Real> rays, next;  // this generation and the one it gives rise to
+  HitQueue<Real> hits;
+  std::vector<std::uint32_t> escaped;  // rays that met nothing
+  // Hits by what their surface does, each a list of indices in order.
+  std::vector<std::uint32_t> matte, glossy, coat, mirror, metal, glass, glowing;
+  ShadowQueue<Real> light_paths, unshadowed;
+  MediumPool media;
+  WaveCounters counters;
+
+  // Adds what comes along ray `i` to its sample.
+  void add(std::size_t i, Rgb<Real> radiance) {
+    slots.radiance[rays.slot[i]] += rays.weight[i] * radiance;
+  }
+
+  // Where a ray starts that goes on from hit `h`: on the side that it came from, or across.
+  Source source_at(std::size_t h, bool across) const {
+    const std::size_t i = hits.ray[h];
+    return source_after(rays.source[i], rays.direction[i], hits.hit[h], across);
+  }
+
+  Real ior_in(MediumId medium) const {
+    return world.ior_of(media.current(medium, world.materials.priorities()));
+  }
+
+  // Where there is nothing to meet.
+  void escape_all() {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      escaped.push_back(static_cast<std::uint32_t>(i));
+  }
+
+  // What the camera rays met: for ids and albedo. Called at the end of the first generation, in
+  // which ray i is that of slot i.
+  void keep_first_surfaces() {
+    for (std::size_t h = 0; h < hits.size(); ++h) {
+      const SlotId slot = rays.slot[hits.ray[h]];
+      slots.met_something[slot] = 1;
+      slots.first_shape[slot] = hits.hit[h].shape;
+      if (world.materials[hits.material[h]].color != kNoId) slots.first_color[slot] = hits.color[h];
+    }
+  }
+
+  void start_generation() {
+    hits.clear();
+    escaped.clear();
+    for (auto* list : {&matte, &glossy, &coat, &mirror, &metal, &glass, &glowing})
+      list->clear();
+    light_paths.clear();
+    unshadowed.clear();
+  }
+
+  // Puts each hit on the list of its surface's kind.
+  void sort_hits() {
+    hits.resize_points();
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const auto h = static_cast<std::uint32_t>(i);
+      const MaterialRecord<Real>& material = world.materials[hits.material[h]];
+      if (material.emits) glowing.push_back(h);
+      if (auto* list = list_of(material.kind)) list->push_back(h);
+    }
+  }
+
+  // Sends a ray on, or counts why not. `reflection` tells the two kinds apart in the figures.
+  void spawn(bool reflection, std::size_t parent, const Ray<Real>& ray, const Source& source,
+             Rgb<Real> weight, MediumId medium, std::uint32_t added_depth = 1) {
+    const std::uint32_t depth = rays.depth[parent] + added_depth;
+    const SlotId slot = rays.slot[parent];
+    if (depth > world.max_depth) {
+      ++counters.cut_by_depth;
+      slots.dropped[slot] += weight;
+      return;
+    }
+    if (is_black(weight)) return;
+    if (largest_channel(weight) < world.cutoff) {
+      ++counters.cut_by_weight;
+      slots.dropped[slot] += weight;
+      return;
+    }
+    ++(reflection ? counters.reflection_rays : counters.refraction_rays);
+    ++slots.rays[slot];
+    const std::uint64_t branch = reflection ? 1 : 2;
+    next.push(ray, source, weight, slot, medium, mix_64(rays.path[parent], branch), depth);
+  }
+
+ private:
+  std::vector<std::uint32_t>* list_of(SurfaceKind kind) {
+    switch (kind) {
+      case SurfaceKind::matte:
+        return &matte;
+      case SurfaceKind::glossy:
+        return &glossy;
+      case SurfaceKind::coat:
+        return &coat;
+      case SurfaceKind::mirror:
+        return &mirror;
+      case SurfaceKind::metal:
+        return &metal;
+      case SurfaceKind::glass:
+        return &glass;
+      case SurfaceKind::black:
+        break;
+    }
+    return nullptr;
+  }
+};
+
+}  // namespace alhazen::render

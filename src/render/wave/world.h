@@ -1,0 +1,71 @@
+// render/wave: a scene made ready to be rendered in one scalar type. Everything is measured from
+// the camera: coordinates near the eye keep their digits however far from the origin the scene was
+// modelled (docs/numerics.md).
+#pragma once
+
+#include <vector>
+
+#include "render/accel/closest_hit.h"
+#include "render/camera/camera_kernel.h"
+#include "render/shape/shape_table.h"
+#include "render/surface/texture_table.h"
+#include "render/wave/background.h"
+#include "render/wave/lights.h"
+#include "render/wave/materials.h"
+
+namespace alhazen::render {
+
+template <class Real>
+struct World {
+  World(const Scene& scene, const std::vector<ImagePixels>& pictures)
+      : world_offset(scene.camera.frame.position),
+        shapes(scene.shapes, world_offset),
+        materials(scene),
+        textures(scene.textures, views_of(pictures), world_offset),
+        lights(scene.lights, world_offset),
+        camera(scene.camera, scene.settings.width, scene.settings.height),
+        background(scene.background, pictures),
+        cutoff(static_cast<Real>(scene.settings.cutoff)),
+        max_depth(static_cast<std::uint32_t>(scene.settings.max_depth)),
+        transparent_background(scene.settings.transparent_background),
+        seed(scene.settings.seed) {
+    for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
+      const Shape& shape = scene.shapes[id];
+      material_of.push_back(shape.material);
+      const bool is_glass =
+          std::holds_alternative<Glass>(scene.materials[shape.material].scattering);
+      if (is_glass && is_closed(shape.geometry)) glass_solids.push_back(id);
+    }
+  }
+
+  bool has_shapes() const { return !material_of.empty(); }
+
+  // The index of refraction of a material that fills space; vacuum for kNoId.
+  Real ior_of(MaterialId material) const {
+    return material == kNoId ? Real(1) : materials[material].ior;
+  }
+
+  Vec3d world_offset;  // world = rebased + world_offset
+  ShapeTable<Real> shapes;
+  MaterialTable<Real> materials;
+  TextureTable<Real> textures;
+  Lights<Real> lights;
+  CameraKernel<Real> camera;
+  BackgroundRadiance<Real> background;
+  std::vector<MaterialId> material_of;  // of each shape
+  std::vector<ShapeId> glass_solids;    // in the scene's order
+  Real cutoff;
+  std::uint32_t max_depth;
+  bool transparent_background;
+  std::uint64_t seed;
+
+ private:
+  static std::vector<ImageView> views_of(const std::vector<ImagePixels>& pictures) {
+    std::vector<ImageView> views;
+    for (const ImagePixels& p : pictures)
+      views.push_back({p.rgb.data(), p.width, p.height});
+    return views;
+  }
+};
+
+}  // namespace alhazen::render

@@ -1,0 +1,142 @@
+// One picture, the same bits: any number of threads, any crop, any scale 2^k, any place.
+#include "unit/render/wave/wave_test_support.h"
+
+namespace alhazen::render {
+namespace {
+
+using testing::SceneBuilder;
+
+// Something of everything: matte, glossy, coat, mirror, metal, glass with absorption, textures, a
+// point light, a sphere light, a lens, a filter with negative lobes. Lengths are multiplied by `s`
+// and moved by `move`.
+Scene busy_scene(double s = 1, Vec3d move = {}) {
+  SceneBuilder b;
+  const auto at = [s, move](double x, double y, double z) { return s * Vec3d(x, y, z) + move; };
+  b.scene.background.source = GradientBackground{{{-1, Rgbd(0.1)}, {1, Rgbd(0.3, 0.5, 0.9)}}};
+  const TextureId white = b.color(Rgbd(0.9)), black = b.color(Rgbd(0.1));
+  Texture checker{CheckerPattern{white, black}, Mapping::object, Affined(), {}};
+  checker.pattern_from_mapped = scaling(Vec3d(1 / s, 1 / s, 1 / s)) * translation(-move);
+  b.scene.textures.push_back(checker);
+  const auto checker_id = static_cast<TextureId>(b.scene.textures.size() - 1);
+  b.add(Box{at(-20, -2, -20), at(20, -1, 20)}, b.material(Diffuse{checker_id, {}}));
+  b.add(Sphere{at(-1.2, 0, 1), s}, b.glass(1.5, (1 / s) * Rgbd(0.1, 0.3, 0.6)));
+  b.add(Sphere{at(1.3, 0, 1.5), s}, b.mirror(0.9));
+  b.add(Sphere{at(0.2, -0.5, -0.5), 0.5 * s},
+        b.material(Diffuse{b.color(Rgbd(0.6, 0.2, 0.1)), {HighlightModel::blinn, Rgbd(0.3), 50}}));
+  b.add(Cylinder{at(2.5, -1, 0), at(2.5, 1, 0), 0.5 * s, true},
+        b.material(Coat{1.5, Rgbd(0.1, 0.2, 0.5), b.color(Rgbd(0.7))}));
+  b.add(Cone{at(-2.8, -1, 0), at(-2.8, 1, 0), 0.7 * s, 0, true},
+        b.material(Metal{Rgbd(0.2, 0.4, 1.4), Rgbd(4, 2.4, 1.6)}));
+  b.light(PointLight{at(4, 6, -4), s * s * Rgbd(90), Falloff::inverse_square});
+  b.light(SphereLight{at(-4, 5, -2), s, Rgbd(6), 2});
+  b.scene.settings.width = 50;
+  b.scene.settings.height = 38;
+  b.scene.settings.samples = 6;
+  b.scene.settings.max_depth = 8;
+  b.scene.settings.filter = {FilterKind::mitchell, 2};
+  b.look(at(0, 1, -7), {0, 0, 1}, {0, 1, 0}, 55);
+  b.scene.camera.projection = PerspectiveCamera{55, ThinLens{0.05 * s, 7 * s}};
+  return b.scene;
+}
+
+TEST(Invariance, ThreadsDoNotChangeABit) {
+  const Scene scene = busy_scene();
+  const std::vector<double> one = pixels_of(scene, {.threads = 1});
+  EXPECT_EQ(pixels_of(scene, {.threads = 2}), one);
+  EXPECT_EQ(pixels_of(scene, {.threads = 16}), one);
+}
+
+TEST(Invariance, CropsPutTogetherAreTheWholePicture) {
+  const Scene scene = busy_scene();
+  const Picture whole = render_or_fail(scene).picture;
+  // Cuts that fall on no tile of the whole picture.
+  const int xs[] = {0, 7, 31, 50}, ys[] = {0, 13, 38};
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      const PixelRect crop{xs[i], ys[j], xs[i + 1] - xs[i], ys[j + 1] - ys[j]};
+      const Picture part = render_or_fail(scene, {.crop = crop}).picture;
+      for (int y = crop.y; y < crop.y + crop.height; ++y) {
+        for (int x = crop.x; x < crop.x + crop.width; ++x) {
+          ASSERT_EQ(pixel_at(part, x, y), pixel_at(whole, x, y)) << x << "," << y;
+        }
+      }
+    }
+  }
+}
+
+// F1: all lengths times 2^k, absorption times 2^-k.
+TEST(Invariance, PowersOfTwoInScaleDoNotChangeABit) {
+  const std::vector<double> plain = pixels_of(busy_scene());
+  for (const double scale : {0x1p-300, 0x1p-10, 0x1p1, 0x1p100, 0x1p300}) {
+    EXPECT_EQ(pixels_of(busy_scene(scale)), plain) << scale;
+  }
+}
+
+// F3: everything moved by a vector that is added without rounding: coordinates in 64ths of a
+// length.
+TEST(Invariance, RepresentableTranslationsDoNotChangeABit) {
+  const auto in_64ths = [](Vec3d move) {
+    SceneBuilder b;
+    const auto at = [move](int x, int y, int z) { return Vec3d(x, y, z) / 64.0 + move; };
+    b.background(0.3);
+    b.add(Sphere{at(-70, 5, 60), 1}, b.glass(1.5));
+    b.add(Sphere{at(77, 0, 100), 1}, b.mirror(0.9));
+    b.add(Box{at(-600, -80, -600), at(600, -64, 600)}, b.diffuse(0.7));
+    b.light(PointLight{at(250, 400, -260), Rgbd(90), Falloff::inverse_square});
+    b.scene.settings.width = b.scene.settings.height = 40;
+    b.look(at(3, 70, -450), {0, 0, 1}, {0, 1, 0}, 55);
+    return pixels_of(b.scene);
+  };
+  const std::vector<double> base = in_64ths({});
+  for (const double t : {0x1p10, 0x1p30, 0x1p44}) {
+    EXPECT_EQ(in_64ths({t, -t, 2 * t}), base) << t;
+  }
+}
+
+TEST(Invariance, AdaptiveSamplingIsAsDeterministic) {
+  Scene scene = busy_scene();
+  scene.settings.samples = 64;
+  scene.settings.adaptive = AdaptiveSampling{0.02, 8};
+  const RenderOutput one = render_or_fail(scene, {.threads = 1, .aovs = {.samples = true}});
+  const RenderOutput two = render_or_fail(scene, {.threads = 2, .aovs = {.samples = true}});
+  EXPECT_EQ(one.picture.rgb, two.picture.rgb);
+  EXPECT_EQ(one.picture.samples, two.picture.samples);
+  EXPECT_GT(one.statistics.samples, 8u * 50 * 38);   // somewhere more was wanted
+  EXPECT_LT(one.statistics.samples, 64u * 50 * 38);  // and not everywhere
+}
+
+// The oracle follows the same samples: differences are rounding, but for paths decided by a hair.
+TEST(Precision, DoubleAgreesWithQuad) {
+  Scene scene = busy_scene();
+  scene.settings.width = 24;
+  scene.settings.height = 18;
+  scene.settings.samples = 1;
+  const std::vector<double> in_double = pixels_of(scene);
+  const std::vector<double> in_quad = pixels_of(scene, {.precision = Precision::quad});
+  double worst = 0;
+  for (std::size_t i = 0; i < in_double.size(); ++i) {
+    worst = std::max(worst, std::abs(in_double[i] - in_quad[i]));
+  }
+  std::printf("double against quad: worst %.3g\n", worst);
+  EXPECT_LE(worst, 1e-9);
+}
+
+TEST(Render, CropOutsideOfTheFrameIsAUsageError) {
+  const Scene scene = busy_scene();
+  for (const PixelRect crop : {PixelRect{-1, 0, 5, 5}, PixelRect{48, 0, 5, 5},
+                               PixelRect{0, 0, 5, 0}, PixelRect{0, 38, 1, 1}}) {
+    const auto output = alhazen::render::render(scene, {}, {.crop = crop});
+    ASSERT_FALSE(output);
+    EXPECT_EQ(output.error().code, ErrorCode::usage);
+  }
+}
+
+TEST(Render, CancelledRunSaysSo) {
+  const std::atomic<bool> cancel = true;
+  const auto output = alhazen::render::render(busy_scene(), {}, {.cancel = &cancel});
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().code, ErrorCode::stopped);
+}
+
+}  // namespace
+}  // namespace alhazen::render
