@@ -12,6 +12,7 @@
 
 #include "core/base/file.h"
 #include "render/image/exr_attributes.h"
+#include "render/image/exr_scan.h"
 #include "render/image/exr_stream.h"
 
 namespace alhazen::render {
@@ -119,6 +120,7 @@ bool is_exr(std::string_view bytes) {
 
 Result<std::vector<ExrPart>> decode_exr(std::string_view bytes, const ImageLimits& limits) {
   if (!is_exr(bytes)) return Error{ErrorCode::io, "not an EXR file"};
+  if (!attributes_fit(bytes)) return Error{ErrorCode::io, "damaged EXR file: header is cut short"};
   bound_headers();
   try {
     return decode(bytes, limits);
