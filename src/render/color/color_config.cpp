@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
+#include <system_error>
 
 #include "render/color/builtin_config.h"
 #include "render/color/color_config_impl.h"
@@ -19,6 +20,12 @@ std::string role_names(const ocio::Config& config) {
 }
 
 Result<ocio::ConstConfigRcPtr> open_file(const std::string& file, const std::string& origin) {
+  // A folder can be opened but not read, which the YAML reader below OpenColorIO answers with a
+  // leak.
+  if (std::error_code ignored; std::filesystem::is_directory(file, ignored)) {
+    return Error{ErrorCode::io,
+                 fmt::format("cannot use the colour configuration {}: it is a folder", origin)};
+  }
   // Not CreateFromEnv: with a missing file name it goes on without any colour management.
   auto config = guarded(fmt::format("cannot use the colour configuration {}", origin), [&] {
     ocio::ConstConfigRcPtr opened = ocio::Config::CreateFromFile(file.c_str());
