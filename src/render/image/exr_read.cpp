@@ -18,15 +18,16 @@
 namespace alhazen::render {
 namespace {
 
-// OpenEXR sizes tables by the height and width in the header before we see it. This bounds them,
-// far above what limits on pixels let through; no side of a real picture comes near.
+// OpenEXR sizes tables by the height and width in the header before we see it, and buffers by the
+// size of a tile. These bound them; no side of a real picture or tile comes near.
 constexpr int kLongestSide = 1 << 17;
+constexpr int kLongestTileSide = 1 << 12;
 
 void bound_headers() {
   static std::once_flag once;
   std::call_once(once, [] {
     Imf::Header::setMaxImageSize(kLongestSide, kLongestSide);
-    Imf::Header::setMaxTileSize(kLongestSide, kLongestSide);
+    Imf::Header::setMaxTileSize(kLongestTileSide, kLongestTileSide);
   });
 }
 
