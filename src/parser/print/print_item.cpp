@@ -101,6 +101,7 @@ Doc Printer::item(const ast::Item& item) {
 }
 
 bool Printer::must_break(const ast::Body& body) const {
+  if (body.items.empty() && body.dangling.empty()) return false;  // {}
   return !body.dangling.empty() || broken_after(body.span) ||
          std::any_of(body.items.begin(), body.items.end(), [](const ast::ItemPtr& item) {
            return !item->leading.empty() || !item->interior.empty() || !item->trailing.empty();
