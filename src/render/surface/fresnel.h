@@ -33,7 +33,7 @@ inline Real cos_transmitted_squared(Real cos_incident, Real eta) {
 // eta^2 cos_i^2 - cos_t^2 = eta^2 - 1, so that nothing cancels but at Brewster's angle, where what
 // cancels is small beside the other polarisation: with s = eta cos_i + cos_t,
 //   r_s = (eta^2 - 1) / s^2,   r_p = r_s (cos_i cos_t - sin_i sin_t) / (cos_i cos_t + sin_i sin_t).
-// Relative error of the smaller of reflectance and transmittance: <= 12 u.
+// Relative error of both reflectance and transmittance: <= 12 u.
 template <class Real>
 inline DielectricInterface<Real> interface_from_cosines(Real cos_incident, Real cos_transmitted,
                                                         Real eta) {
@@ -46,10 +46,12 @@ inline DielectricInterface<Real> interface_from_cosines(Real cos_incident, Real 
     result.transmittance = 1;
     return result;
   }
-  result.bend = (eta - 1) / sum * (eta + 1);
+  result.bend = fused_multiply_add(eta, eta, Real(-1)) / sum;
   const Real r_s = result.bend / sum;
   const Real cosines = cos_incident * cos_transmitted;
-  const Real sines = eta * ((1 - cos_incident) * (1 + cos_incident));
+  // sin_i sin_t from the rarer side, where the angle is larger: the same number for both ways.
+  const Real sines = eta < 1 ? eta * ((1 - cos_incident) * (1 + cos_incident))
+                             : (1 - cos_transmitted) * (1 + cos_transmitted) / eta;
   const Real ratio = (cosines - sines) / (cosines + sines);
   const Real half_rs_squared = r_s * r_s / 2;
   result.reflectance = fused_multiply_add(half_rs_squared, ratio * ratio, half_rs_squared);
@@ -79,7 +81,8 @@ inline DielectricInterface<Real> dielectric_interface(Real cos_incident, Real et
 // With (a + i b)^2 = (n + i k)^2 - sin^2, s = sin^2:
 //   R_s = ((a - c)^2 + b^2) / ((a + c)^2 + b^2),
 //   R_p = R_s ((a c - s)^2 + b^2 c^2) / ((a c + s)^2 + b^2 c^2).
-// Sums of squares: always in [0, 1], also for k = 0, where it is the dielectric's.
+// Sums of squares: always in [0, 1], also for k = 0, where it is the dielectric's. Relative error
+// <= 16 u, but at the critical angle of n < 1 without absorption, where it is the root of that.
 template <class Real>
 inline Real conductor_reflectance(Real cos_incident, Real n, Real k) {
   const Real c = smaller(cos_incident, Real(1));

@@ -16,7 +16,7 @@ inline Vec3<Real> reflected(Vec3<Real> direction, Vec3<Real> normal) {
 // from (dot(direction, normal) = -cos_i <= 0) and an interface that does not reflect totally.
 // Taking the second factor as (eta^2 - 1) / (eta cos_i + cos_t) keeps its relative accuracy however
 // small the step of index is: an index of exactly 1 returns the direction itself, bit for bit.
-// The length is 1 within 4 u for unit arguments; errors of their length are passed on, not grown.
+// The length is 1 within 8 u max(1, eta) for arguments of unit length to rounding.
 template <class Real>
 inline Vec3<Real> refracted(Vec3<Real> direction, Vec3<Real> normal, Real eta,
                             const DielectricInterface<Real>& interface) {
