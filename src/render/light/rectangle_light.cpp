@@ -8,16 +8,16 @@
 namespace alhazen::render {
 namespace {
 
-// The solid angle of a triangle with corners a, b, c seen from the origin, given its vector area
-// doubled (cross(b - a, c - a)), in turns of the half angle:
-//   tan(angle / 2) = |a . area2| / (abc + (a.b) c + (b.c) a + (c.a) b).
+// Steradians. The angles that Urena's construction adds up carry an absolute error of some units of
+// rounding, which is nothing to a solid angle above this.
 template <class Real>
-Real half_solid_angle_turns(Vec3<Real> a, Vec3<Real> b, Vec3<Real> c, Vec3<Real> area2) {
-  const Real la = length(a), lb = length(b), lc = length(c);
-  const Vec3<Real> ua = a / la, ub = b / lb, uc = c / lc;
-  const Real above = absolute(dot(ua, area2)) / lb / lc;
-  const Real below = 1 + dot(ua, ub) + dot(ub, uc) + dot(uc, ua);
-  return atan2_turns(above, below);
+constexpr Real kSmallSolidAngle = Real(0.25);
+
+// The solid angle of the rectangle from the foot of the perpendicular, at distance |z|, to the
+// corner (x, y), in turns and with the sign of x y: atan(x y / (z sqrt(x^2 + y^2 + z^2))).
+template <class Real>
+Real corner_solid_angle_turns(Real x, Real y, Real z) {
+  return atan2_turns(x * y, absolute(z) * length(Vec3<Real>(x, y, z)));
 }
 
 template <class Real>
@@ -55,23 +55,25 @@ RectangleLightView<Real>::RectangleLightView(const RectangleLightKernel<Real>& l
   z0_ = dot(to_corner_, light_->axis_n);
   lit_ = z0_ < 0;
   if (!lit_) return;
-  const Vec3<Real> s00 = to_corner_, s10 = s00 + light_->edge_u, s01 = s00 + light_->edge_v,
-                   s11 = s10 + light_->edge_v;
-  solid_angle_turns_ = 2 * (half_solid_angle_turns(s00, s10, s11, light_->area_normal) +
-                            half_solid_angle_turns(s00, s11, s01, light_->area_normal));
+  // Area / depth^2 is more than the solid angle. Where that is small, all of the rectangle is seen
+  // under nearly one angle and sampling its area loses nothing.
+  const Real area = light_->length_u * light_->length_v;
+  if (!light_->right_angled || area <= kSmallSolidAngle<Real> * z0_ * z0_) return;
+  x0_ = dot(to_corner_, light_->axis_u);
+  y0_ = dot(to_corner_, light_->axis_v);
+  x1_ = x0_ + light_->length_u;
+  y1_ = y0_ + light_->length_v;
+  solid_angle_turns_ =
+      larger(Real(0),
+             corner_solid_angle_turns(x1_, y1_, z0_) - corner_solid_angle_turns(x0_, y1_, z0_) -
+                 corner_solid_angle_turns(x1_, y0_, z0_) + corner_solid_angle_turns(x0_, y0_, z0_));
   solid_angle_ = 2 * pi<Real>() * solid_angle_turns_;
-  // Urena's angles carry an absolute error of some units of rounding: fine while the solid angle
-  // is a good part of the sky (1/4 steradian), where alone sampling it evenly pays.
-  spherical_ = light_->right_angled && solid_angle_ > Real(0.25);
+  spherical_ = solid_angle_ > kSmallSolidAngle<Real>;
   if (spherical_) prepare_spherical();
 }
 
 template <class Real>
 void RectangleLightView<Real>::prepare_spherical() {
-  x0_ = dot(to_corner_, light_->axis_u);
-  y0_ = dot(to_corner_, light_->axis_v);
-  x1_ = x0_ + light_->length_u;
-  y1_ = y0_ + light_->length_v;
   // Normals of the planes through the point and the four edges; b are their depths.
   const auto depth = [this](Real side) {
     return side / square_root(fused_multiply_add(side, side, z0_ * z0_));

@@ -1,11 +1,9 @@
 // render/light: a glowing parallelogram that shines to one side.
 //
-// A rectangle is sampled evenly in solid angle (C. Urena, M. Fajardo, A. King, "An Area-Preserving
-// Parametrization for Spherical Rectangles", EGSR 2013), with the solid angle itself from van
-// Oosterom and Strackee's formula (IEEE Trans. Biomed. Eng. 30(2), 1983), whose relative error does
-// not grow as the rectangle shrinks. Parallelograms, and rectangles so small in the sky that the
-// angles of Urena's construction cancel, are sampled evenly in area with the exact Jacobian; there
-// the two hardly differ.
+// A rectangle that fills a good part of the sky is sampled evenly in solid angle (C. Urena,
+// M. Fajardo, A. King, "An Area-Preserving Parametrization for Spherical Rectangles", EGSR 2013).
+// Parallelograms, and rectangles below a quarter of a steradian, are sampled evenly in area with
+// the exact Jacobian; for a small light the two hardly differ.
 #pragma once
 
 #include "core/scene/light.h"
@@ -40,9 +38,6 @@ class RectangleLightView {
     return spherical_ ? spherical_sample(u, v) : area_sample(u, v);
   }
 
-  // Of the whole light; 0 where it does not shine.
-  Real solid_angle() const { return solid_angle_; }
-
  private:
   LightSample<Real> spherical_sample(Real u, Real v) const;
   LightSample<Real> area_sample(Real u, Real v) const;
@@ -51,11 +46,11 @@ class RectangleLightView {
   const RectangleLightKernel<Real>* light_;
   Vec3<Real> to_corner_;
   Rgb<Real> radiance_share_;  // radiance / samples
-  Real solid_angle_ = 0;
+  Real solid_angle_ = 0, solid_angle_turns_ = 0;
   bool lit_ = false, spherical_ = false;
   // Urena's names: the rectangle is [x0, x1] x [y0, y1] at depth z0 < 0 of the point.
   Real x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0, z0_ = 0;
-  Real b0_ = 0, b1_ = 0, c0_squared_ = 0, k_turns_ = 0, solid_angle_turns_ = 0;
+  Real b0_ = 0, b1_ = 0, c0_squared_ = 0, k_turns_ = 0;
 };
 
 }  // namespace alhazen::render
