@@ -20,13 +20,14 @@ class FilterProfile {
 
   double value(double x) const;
 
-  // The point below which lies the share u in [0, 1] of the integral of |value|; increases with u
-  // from -radius to radius; exact to a few ulp of the radius.
+  // The point below which lies the share u in [0, 1] of the integral of |value|, to 2e-15 of that
+  // integral; increases with u within [-radius, radius], and quantile(1 - u) = -quantile(u).
   double quantile(double u) const;
   // Whether the filter is negative at a point drawn by quantile().
   bool is_negative(double x) const;
 
-  // The integrals of the positive part and of minus the negative part: they differ by 1.
+  // The integrals of the positive part and of minus the negative part: they differ by 1, to
+  // rounding.
   double positive_integral() const { return positive_; }
   double negative_integral() const { return negative_; }
 
