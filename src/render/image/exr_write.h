@@ -22,7 +22,8 @@ struct EncodedExr {
   ExrReport report;
 };
 
-// The same file description gives the same bytes. Fails with ErrorCode::usage when the description
+// The same description gives the same bytes (with the same zlib). The file is made in memory,
+// because OpenEXR's file streams lose errors. Fails with ErrorCode::usage when the description
 // contradicts itself (buffer sizes, channel names), with ErrorCode::io when OpenEXR refuses.
 Result<EncodedExr> encode_exr(const ExrFile& file);
 

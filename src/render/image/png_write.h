@@ -11,8 +11,8 @@
 namespace alhazen::render {
 
 // 8-bit RGB (`components` 3) or RGBA with alpha not premultiplied (4), interleaved, rows from the
-// top. The same pixels give the same bytes. Fails with ErrorCode::usage when the samples do not
-// fill width * height pixels or there are none.
+// top; the file says that they are sRGB. The same pixels give the same bytes. Fails with
+// ErrorCode::usage when the samples do not fill width * height pixels or there are none.
 Result<std::string> encode_png(std::span<const std::uint8_t> samples, int width, int height,
                                int components);
 
