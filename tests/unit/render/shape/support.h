@@ -71,8 +71,9 @@ inline Vec3d inner_point(const Geometry& geometry) {
 }
 
 // Mirror reflection.
-inline Vec3d reflected(Vec3d d, Vec3d n) {
-  return multiply_add(-2 * dot(n, d), n, d);
+template <class Real>
+inline Vec3<Real> reflected(Vec3<Real> d, Vec3<Real> n) {
+  return multiply_add(Real(-2) * dot(n, d), n, d);
 }
 
 }  // namespace alhazen::render
