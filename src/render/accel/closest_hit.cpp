@@ -8,10 +8,13 @@ template <class Real>
 bool is_ahead(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source, ShapeId id,
               const Crossing<Real>& crossing) {
   if (source.shape == kNoId || id == source.shape || source.arrival == Vec3d()) return true;
+  for (const Touched& touched : source.earlier) {
+    if (touched.shape == id && touched.face == crossing.face) {
+      return crossing.enters == (touched.side == Side::kAbove);
+    }
+  }
   const Vec3<Real> normal = table.surface(id, ray, crossing).normal;
-  const bool arrived_against = dot(Vec3<Real>(source.arrival), normal) < Real(0);
-  const bool touched = id == source.earlier_shape && crossing.face == source.earlier_face;
-  return touched ? crossing.enters != arrived_against : crossing.enters == arrived_against;
+  return crossing.enters == (dot(Vec3<Real>(source.arrival), normal) < Real(0));
 }
 
 // Calls `visit` with every hit up to t_max until it returns false.

@@ -2,26 +2,35 @@
 // it must give the same hits, to the last bit, behind the same functions.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "render/shape/shape_table.h"
 
 namespace alhazen::render {
 
+// A face through a ray's starting point that the ray has met there, and the side it then went on
+// by.
+struct Touched {
+  ShapeId shape = kNoId;
+  int face = kNoFace;
+  Side side = Side::kByDirection;
+};
+
 // Where a ray starts. By default nowhere in particular: a ray of the camera.
 //
 // The face that it leaves is divided out by identity. Other faces may pass through the very same
 // point: a corner of a room, a box that stands on a plane. Such a face is met at t = 0 if and only
-// if the ray has to get to its other side, and the side that it stands on is known: it came in the
-// direction `arrival`, so it stands where -arrival points; but if it touched the face at this same
-// point just before (`earlier`), it has turned or crossed there, and stands where arrival points.
+// if the ray has to get to its other side, and the side that it stands on is known: the point was
+// reached in the direction `arrival`, so the ray stands where -arrival points; but of a face that
+// has been met at this point (`earlier`, the latest first), where it went on from there. Three
+// faces in general position share a point, so two are remembered beside the one that is left.
 struct Source {
   ShapeId shape = kNoId;
   int face = kNoFace;
   Side side = Side::kByDirection;
   Vec3d arrival;  // 0: not known, every face at t = 0 is met
-  ShapeId earlier_shape = kNoId;
-  int earlier_face = kNoFace;
+  std::array<Touched, 2> earlier{};
 };
 
 template <class Real>
@@ -39,11 +48,11 @@ struct Hit {
 template <class Real>
 inline Source source_after(const Source& before, Vec3<Real> direction, const Hit<Real>& hit,
                            bool across) {
-  Source after{hit.shape,        hit.face, hit.enters == across ? Side::kBelow : Side::kAbove,
-               Vec3d(direction), kNoId,    kNoFace};
-  if (hit.t == Real(0)) {
-    after.earlier_shape = before.shape;
-    after.earlier_face = before.face;
+  Source after{hit.shape, hit.face, hit.enters == across ? Side::kBelow : Side::kAbove,
+               Vec3d(direction)};
+  if (hit.t == Real(0) && before.shape != kNoId) {
+    after.arrival = before.arrival;
+    after.earlier = {Touched{before.shape, before.face, before.side}, before.earlier[0]};
   }
   return after;
 }

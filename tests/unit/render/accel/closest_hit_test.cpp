@@ -155,5 +155,52 @@ TEST(ClosestHit, RoomsOfSeveralShapesDoNotLeak) {
   }
 }
 
+// Where three walls meet at the ray's own starting point, each is met or not by the side on which
+// the ray stands, not by the rounding of t.
+TEST(ClosestHit, CornersOfRoomsDoNotLeak) {
+  std::vector<Shape> walls;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      Vec3d n;
+      n[axis] = -sign;
+      walls.push_back(shape_of(alhazen::Plane{n, -1}));
+    }
+  }
+  const ShapeTable<double> table(walls, Vec3d{});
+  for (const Vec3d d : {Vec3d{1, 1, 1}, Vec3d{1, -1, 0}, Vec3d{0, 1, 1}, Vec3d{-1, 0.5, 0.5},
+                        Vec3d{0.25, -1, -1}}) {
+    Ray<double> ray{{0, 0, 0}, d};
+    Source source;
+    for (int bounce = 0; bounce < 300; ++bounce) {
+      const auto hit = closest_hit(table, ray, source, kFar);
+      ASSERT_TRUE(hit.has_value()) << bounce;
+      ASSERT_TRUE(hit->enters) << bounce;  // walls face inwards: never from behind
+      const auto point = table.surface(hit->shape, ray, hit->crossing());
+      source = source_after(source, ray.direction, *hit, false);
+      ray = {point.position, reflected(ray.direction, point.normal)};
+    }
+  }
+}
+
+// Two boxes with a face in common, left and entered anew at each face as refraction does: four
+// crossings, none twice.
+TEST(ClosestHit, CoincidentFacesAreCrossedOnce) {
+  const ShapeTable<double> table({shape_of(alhazen::Box{{-1, -1, 0}, {1, 1, 1}}),
+                                  shape_of(alhazen::Box{{-1, -1, 1}, {1, 1, 2}})},
+                                 Vec3d{});
+  Ray<double> ray{{0.25, 0.5, -3}, {0.125, 0.0625, 1}};
+  Source source;
+  int depth = 0, count = 0;
+  while (const auto hit = closest_hit(table, ray, source, kFar)) {
+    ASSERT_LE(++count, 4);
+    depth += hit->enters ? 1 : -1;
+    const auto point = table.surface(hit->shape, ray, hit->crossing());
+    source = source_after(source, ray.direction, *hit, true);
+    ray.origin = point.position;
+  }
+  EXPECT_EQ(count, 4);
+  EXPECT_EQ(depth, 0);
+}
+
 }  // namespace
 }  // namespace alhazen::render
