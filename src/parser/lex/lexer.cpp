@@ -44,13 +44,14 @@ void Lexer::skip_white_space(Token& token) {
   token.blank_line_before = line_breaks > 1;
 }
 
-// Letters of other alphabets do not end a word: `größe` is one wrong name, not three tokens.
+// Letters of other alphabets do not end a word: `größe` is one wrong name, not three tokens, and so
+// it is in Latin-1, where the bytes of its letters are not UTF-8.
 bool Lexer::skip_word() {
   bool ascii = true;
   while (!at_end()) {
     if (is_beyond_ascii(peek())) {
       const CodePoint code = decode_utf8(rest());
-      if (!code.valid || match_look_alike(code.value) || opens_foreign_string(code.value)) break;
+      if (match_look_alike(code.value) || opens_foreign_string(code.value)) break;
       at_ += code.length;
       ascii = false;
     } else if (continues_name(peek())) {
@@ -66,6 +67,12 @@ void Lexer::lex_word(Token& token) {
   const bool ascii = skip_word();
   token.kind = keyword_or_name(text_.substr(token.begin, at_ - token.begin));
   if (!ascii) token.flaw = Flaw::non_ascii_name;
+}
+
+// To the end of the line, or to one of `stops`: the rest of what has no counterpart here.
+void Lexer::skip_operands(std::string_view stops) {
+  while (!at_end() && peek() != '\n' && stops.find(peek()) == std::string_view::npos)
+    ++at_;
 }
 
 void Lexer::lex_line_comment(Token& token) {
@@ -112,6 +119,7 @@ void Lexer::lex_hash(Token& token) {
   } else if (const Foreign* directive = match_directive(word)) {
     token.kind = directive->kind;
     token.flaw = Flaw::foreign_spelling;
+    if (token.kind == TokenKind::skip) skip_operands("");
   } else if (word == "#scn") {
     lex_line_comment(token);
     token.kind = TokenKind::skip;
@@ -124,12 +132,7 @@ void Lexer::lex_hash(Token& token) {
 
 void Lexer::lex_beyond_ascii(Token& token) {
   const CodePoint code = decode_utf8(rest());
-  if (!code.valid) {
-    while (!at_end() && is_beyond_ascii(peek()) && !decode_utf8(rest()).valid)
-      ++at_;
-    token.kind = TokenKind::skip;
-    token.flaw = Flaw::unexpected_character;
-  } else if (opens_foreign_string(code.value)) {
+  if (opens_foreign_string(code.value)) {
     lex_foreign_string(token, code.value);
   } else if (const auto look_alike = match_look_alike(code.value)) {
     at_ += code.length;
@@ -148,6 +151,7 @@ void Lexer::lex_punctuation(Token& token) {
     token.kind = foreign->kind;
     token.flaw = Flaw::foreign_spelling;
     at_ += static_cast<std::uint32_t>(foreign->spelling.size());
+    if (foreign->spelling == "?") skip_operands("{}()[],");
   } else if (ours) {
     // `<1, 2>==a` compares a vector: `>==` is `>` and `==`, nothing else could follow from it.
     token.kind = rest().starts_with(">==") ? TokenKind::greater : *ours;

@@ -29,6 +29,7 @@ class Lexer {
   void lex_punctuation(Token& token);
 
   void skip_white_space(Token& token);
+  void skip_operands(std::string_view stops);
   void skip_digits();
   bool skip_word();  // letters, digits, _ and what is not ASCII; false if some was not
   void check_number(Token& token);

@@ -24,6 +24,7 @@ class FlawReporter {
 
  private:
   void report_unexpected();
+  void report_name();
   void report_look_alike();
   void report_foreign();
   void report_unit();
@@ -50,8 +51,7 @@ void FlawReporter::report() {
       report_foreign();
       break;
     case Flaw::non_ascii_name:
-      sink_.report<Kind::non_ascii_name>(span_, word_)
-          .hint("names are made of the letters a to z and A to Z, digits and `_`");
+      report_name();
       break;
     case Flaw::number_too_large:
       sink_.report<Kind::number_too_large>(span_, word_)
@@ -96,14 +96,25 @@ void FlawReporter::report() {
 
 void FlawReporter::report_unexpected() {
   const CodePoint code = decode_utf8(word_);
-  if (!code.valid) {
-    sink_.report<Kind::invalid_encoding>(span_, static_cast<unsigned char>(word_[0]))
-        .hint("save the file as UTF-8");
-  } else if (code.value < 0x20 || code.value == 0x7F) {
-    sink_.report<Kind::unexpected_character>(span_, fmt::format("\\x{:02x}", word_[0]));
-  } else {
-    sink_.report<Kind::unexpected_character>(span_, word_);
+  const bool control = code.value < 0x20 || code.value == 0x7F;
+  sink_.report<Kind::unexpected_character>(
+      span_, control ? fmt::format("\\x{:02x}", word_[0]) : std::string(word_));
+}
+
+void FlawReporter::report_name() {
+  for (std::uint32_t i = 0; i < word_.size();) {
+    const CodePoint code = decode_utf8(word_.substr(i));
+    if (!code.valid) {
+      sink_
+          .report<Kind::invalid_encoding>({span_.file, span_.begin + i, span_.begin + i + 1},
+                                          static_cast<unsigned char>(word_[i]))
+          .hint("save the file as UTF-8");
+      return;
+    }
+    i += code.length;
   }
+  sink_.report<Kind::non_ascii_name>(span_, word_)
+      .hint("names are made of the letters a to z and A to Z, digits and `_`");
 }
 
 void FlawReporter::report_look_alike() {
@@ -119,9 +130,15 @@ void FlawReporter::report_foreign() {
         .hint("a comment begins with `//`");
     return;
   }
-  const Foreign* foreign = match_directive(word_);
+  // The token may go on with what belongs to the foreign construct.
+  std::size_t length = 1;
+  while (length < word_.size() && continues_name(word_[length]))
+    ++length;
+  const Foreign* foreign = match_directive(word_.substr(0, length));
   if (foreign == nullptr) foreign = match_foreign_operator(word_);
-  sink_.report<Kind::foreign_spelling>(span_, word_).hint(std::string(foreign->hint));
+  const auto end = span_.begin + static_cast<std::uint32_t>(foreign->spelling.size());
+  sink_.report<Kind::foreign_spelling>({span_.file, span_.begin, end}, foreign->spelling)
+      .hint(std::string(foreign->hint));
 }
 
 void FlawReporter::report_unit() {

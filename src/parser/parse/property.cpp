@@ -46,7 +46,9 @@ ast::Property Parser::parse_property(const Token& name) {
     report<DiagnosticKind::missing_value>(span(name), text(name))
         .hint("a property is a name and a value: `radius 2`, `material glass { ior 1.5 }`");
   } else {
-    fail_expected(fmt::format("the value of `{}`", text(name)));
+    const bool update = at(TokenKind::equal, 1);  // `x += 1`
+    Diagnostic& report = fail_expected(fmt::format("the value of `{}`", text(name)));
+    if (update) report.hint("values do not change: name the new one with `let`");
   }
   return property;
 }

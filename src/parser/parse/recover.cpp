@@ -39,12 +39,15 @@ bool Parser::expect(TokenKind kind) {
 
 std::optional<ast::Name> Parser::expect_name(std::string_view what) {
   if (at(TokenKind::name)) return name_of(next());
-  const bool keyword = !spelling(peek().kind).empty() && spelling(peek().kind)[0] >= 'a';
-  Diagnostic& report = fail_expected(what);
-  if (keyword) {
-    report.hint(fmt::format("{} is a keyword; choose another name", describe(peek().kind)));
+  const std::string_view word = spelling(peek().kind);
+  const bool keyword = !word.empty() && word[0] >= 'a' && word[0] <= 'z';
+  if (!keyword || peek().newline_before) {
+    fail_expected(what);
+    return std::nullopt;
   }
-  return std::nullopt;
+  report<Kind::expected>(span(peek()), what, found())
+      .hint(fmt::format("`{}` is a keyword; choose another name", word));
+  return name_of(next());
 }
 
 std::string Parser::found() {
@@ -63,9 +66,8 @@ std::string Parser::found() {
 
 Diagnostic& Parser::fail_expected(std::string_view what) {
   Diagnostic& report = fail<Kind::expected>(span(peek()), what, found());
-  if (at(TokenKind::equal) && what == describe(TokenKind::left_brace)) {
-    report.hint("values are compared by `==`");
-  }
+  const bool after_operand = what == "`{`" || what == "`)`" || what == "`then`";
+  if (at(TokenKind::equal) && after_operand) report.hint("values are compared by `==`");
   return report;
 }
 
@@ -126,7 +128,7 @@ void Parser::fail_not_an_item() {
           "items are `let`, `param`, `fn`, `for`, `if`, `include`, a property like `radius 2`");
       break;
   }
-  next();
+  if (wrong.kind != TokenKind::left_brace) next();  // a body is skipped as a whole
 }
 
 void Parser::skip_braces() {

@@ -1,0 +1,83 @@
+// tests/golden: diagnostics/<kind>/<case>.scn and, beside it, <case>.golden: what `alhazen check`
+// says about it. ALHAZEN_UPDATE_GOLDEN=1 in the environment rewrites the .golden files; read the
+// diff.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "support/ebnf.h"
+#include "support/front_end.h"
+
+namespace alhazen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kFolder = fs::path(ALHAZEN_SOURCE_DIR) / "tests/golden/diagnostics";
+
+struct Case {
+  std::string kind;  // the folder
+  std::string path;  // from the root of the source, without extension
+};
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  for (const auto& entry : fs::recursive_directory_iterator(kFolder)) {
+    if (entry.path().extension() != ".scn") continue;
+    const fs::path stem = fs::relative(entry.path(), ALHAZEN_SOURCE_DIR).replace_extension();
+    cases.push_back({entry.path().parent_path().filename().string(), stem.string()});
+  }
+  std::sort(cases.begin(), cases.end(),
+            [](const Case& a, const Case& b) { return a.path < b.path; });
+  return cases;
+}
+
+class Diagnostics : public testing::TestWithParam<Case> {};
+
+TEST_P(Diagnostics, AreThoseOfTheGoldenFile) {
+  const Case& golden = GetParam();
+  const std::string name = fs::path(golden.path).filename().string() + ".scn";
+  const FrontEnd result = front_end(name, read_text_file(golden.path + ".scn"));
+  const std::string golden_path = golden.path + ".golden";
+  if (std::getenv("ALHAZEN_UPDATE_GOLDEN") != nullptr) {
+    std::ofstream(fs::path(ALHAZEN_SOURCE_DIR) / golden_path, std::ios::binary) << result.errors();
+  }
+  EXPECT_EQ(result.errors(), read_text_file(golden_path));
+  const auto& found = result.sink.diagnostics();
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Diagnostic& diagnostic) {
+    return info(diagnostic.kind).name == golden.kind;
+  })) << "the case is not of the kind its folder names";
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, Diagnostics, testing::ValuesIn(all_cases()), [](const auto& test) {
+  std::string name = test.param.kind + "_" + fs::path(test.param.path).filename().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c != '_' && !std::isalnum(c); }, '_');
+  return name;
+});
+
+// Each room that reports diagnostics adds its list here when it joins front_end().
+constexpr std::string_view kCoveredKinds[] = {
+#define ALHAZEN_DIAGNOSTIC(name, severity, code, format) #name,
+#include "core/diag/kind_lex.def"
+#include "core/diag/kind_parse.def"
+#undef ALHAZEN_DIAGNOSTIC
+};
+
+TEST(DiagnosticsCoverage, EveryKindHasAGoldenCase) {
+  std::set<std::string> folders;
+  for (const Case& golden : all_cases())
+    folders.insert(golden.kind);
+  for (const std::string_view kind : kCoveredKinds) {
+    EXPECT_TRUE(folders.contains(std::string(kind)))
+        << "no case in tests/golden/diagnostics/" << kind;
+  }
+}
+
+}  // namespace
+}  // namespace alhazen::test
