@@ -1,8 +1,9 @@
 // tests: the sphere light against the closed form of its irradiance, on every scale.
+#include "render/light/sphere_light.h"
+
 #include <random>
 
 #include "core/math/random.h"
-#include "render/light/light_table.h"
 #include "unit/render/measured.h"
 
 namespace alhazen::render {
@@ -108,34 +109,6 @@ TEST(SphereLight, SendsTheSameFluxThroughEverySphere) {
     const double flux = 4 * pi<double>() * distance * distance * irradiance(view, {0, 1, 0}, 3);
     EXPECT_NEAR(flux / (4 * pi<double>() * pi<double>()), 1, 1e-4) << distance;
   }
-}
-
-TEST(LightTable, HoldsEveryKind) {
-  const auto light = [](LightSource source) {
-    Light result;
-    result.source = std::move(source);
-    return result;
-  };
-  const std::vector<Light> lights{
-      light(PointLight{{0, 2, 0}, Rgbd(4)}),
-      light(DirectionalLight{{0, -1, 0}, Rgbd(2)}),
-      light(SpotLight{{0, 2, 0}, {0, -1, 0}, Rgbd(4), 30, 45}),
-      light(SphereLight{{0, 2, 0}, 1, Rgbd(1), 8}),
-      light(RectangleLight{{-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, Rgbd(1), 16}),
-      light(AmbientLight{Rgbd(0.1)}),
-      light(AmbientLight{Rgbd(0.2)})};
-  const LightTable<double> table(lights, {});
-  ASSERT_EQ(table.size(), 7u);
-  EXPECT_NEAR(table.ambient().g, 0.3, 1e-16);
-  const int samples[] = {1, 1, 1, 8, 16, 0, 0};
-  for (LightId id = 0; id < 7; ++id)
-    EXPECT_EQ(table.samples(id), samples[id]);
-  for (LightId id = 0; id < 5; ++id) {
-    const auto sample = table.view(id, {}).sample(0.5, 0.5);
-    EXPECT_GT(sample.weight.r, 0) << id;
-    EXPECT_GT(sample.direction.y, 0.5) << id;
-  }
-  EXPECT_EQ(table.view(0, {}).sample(0, 0).weight, Rgbd(1));
 }
 
 }  // namespace
