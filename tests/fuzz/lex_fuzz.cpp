@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (parser::Token token = lexer.next();; token = lexer.next()) {
     if (token.begin < last_end || token.end < token.begin || token.end > size) std::abort();
     last_end = token.end;
-    if (token.flaw != parser::Flaw::none) {
+    if (token.flaw != parser::Flaw::none && !sink.full()) {
       const std::size_t before = sink.diagnostics().size();
       parser::report_flaw(token, file, text, sink);
       // Every flaw has something to say, unless something was said at that place.
