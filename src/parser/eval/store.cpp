@@ -1,0 +1,153 @@
+// parser/eval: interning by the bytes of a record.
+#include "parser/eval/store.h"
+
+#include <bit>
+#include <cstdint>
+
+#include "core/base/overloaded.h"
+
+namespace alhazen::parser {
+namespace {
+
+// Two records have one key if and only if they are equal field by field; -0 and 0 are the same.
+class Key {
+ public:
+  Key& add(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x + 0.0);
+    bytes_.append(reinterpret_cast<const char*>(&bits), sizeof bits);
+    return *this;
+  }
+  Key& add(std::uint64_t word) {
+    bytes_.append(reinterpret_cast<const char*>(&word), sizeof word);
+    return *this;
+  }
+  Key& add(Rgbd c) { return add(c.r).add(c.g).add(c.b); }
+  Key& add(Vec3d v) { return add(v.x).add(v.y).add(v.z); }
+  Key& add(const Affined& map) {
+    for (const auto& row : map.rows) {
+      for (const double entry : row)
+        add(entry);
+    }
+    return *this;
+  }
+  Key& add(std::string_view text) {
+    add(std::uint64_t{text.size()});
+    bytes_.append(text);
+    return *this;
+  }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+void add_pattern(Key& key, const Pattern& pattern) {
+  key.add(std::uint64_t{pattern.index()});
+  std::visit(Overloaded{[&](const SolidPattern& p) { key.add(p.color); },
+                        [&](const CheckerPattern& p) {
+                          key.add(std::uint64_t{p.even}).add(std::uint64_t{p.odd});
+                        },
+                        [&](const StripesPattern& p) {
+                          key.add(std::uint64_t{p.even}).add(std::uint64_t{p.odd});
+                        },
+                        [&](const BrickPattern& p) {
+                          key.add(std::uint64_t{p.brick}).add(std::uint64_t{p.mortar});
+                          key.add(p.size).add(p.mortar_width);
+                        },
+                        [&](const GradientPattern& p) {
+                          key.add(std::uint64_t{p.stops.size()});
+                          for (const GradientStop& stop : p.stops)
+                            key.add(stop.position).add(stop.color);
+                        },
+                        [&](const ImagePattern& p) {
+                          key.add(std::uint64_t{p.image});
+                          key.add(static_cast<std::uint64_t>(p.wrap));
+                          key.add(static_cast<std::uint64_t>(p.filter));
+                        }},
+             pattern);
+}
+
+void add_scattering(Key& key, const Scattering& scattering) {
+  key.add(std::uint64_t{scattering.index()});
+  std::visit(Overloaded{[&](const Diffuse& d) {
+                          key.add(std::uint64_t{d.albedo}).add(d.highlight.strength);
+                          // Without strength the lobe is the same whatever its shape.
+                          if (is_black(d.highlight.strength)) return;
+                          key.add(static_cast<std::uint64_t>(d.highlight.model));
+                          key.add(d.highlight.exponent);
+                        },
+                        [&](const Mirror& m) { key.add(std::uint64_t{m.reflectance}); },
+                        [&](const Metal& m) { key.add(m.n).add(m.k); },
+                        [&](const Glass& g) {
+                          key.add(g.ior).add(g.absorption);
+                          key.add(static_cast<std::uint64_t>(g.priority));
+                        },
+                        [&](const Coat& c) {
+                          key.add(c.ior).add(c.absorption).add(std::uint64_t{c.base_albedo});
+                        },
+                        [](const Black&) {}},
+             scattering);
+}
+
+// The id of the record with this key; `make` appends it when it is new.
+template <class Map, class Make>
+auto find_or_add(Map& ids, std::string key, Make make) {
+  const auto next = static_cast<typename Map::mapped_type>(ids.size());
+  const auto [it, inserted] = ids.try_emplace(std::move(key), next);
+  if (inserted) make();
+  return it->second;
+}
+
+}  // namespace
+
+TextureId Store::add(Texture texture) {
+  Key key;
+  add_pattern(key, texture.pattern);
+  // One colour everywhere looks the same however it is mapped.
+  if (!std::holds_alternative<SolidPattern>(texture.pattern)) {
+    key.add(static_cast<std::uint64_t>(texture.mapping)).add(texture.pattern_from_mapped);
+  }
+  return find_or_add(texture_ids_, key.take(), [&] {
+    largest_.push_back(bound(texture.pattern));
+    textures_.push_back(std::move(texture));
+  });
+}
+
+MaterialId Store::add(Material material) {
+  Key key;
+  add_scattering(key, material.scattering);
+  key.add(material.emission);
+  return find_or_add(material_ids_, key.take(), [&] { materials_.push_back(std::move(material)); });
+}
+
+ImageId Store::add(ImageFile image) {
+  Key key;
+  key.add(image.path).add(image.color_space);
+  return find_or_add(image_ids_, key.take(), [&] { images_.push_back(std::move(image)); });
+}
+
+void Store::name_material(MaterialId id, std::string_view name) {
+  if (materials_[id].name.empty()) materials_[id].name = name;
+}
+
+Rgbd Store::bound(const Pattern& pattern) const {
+  const auto larger_of = [](Rgbd a, Rgbd b) {
+    return Rgbd{larger(a.r, b.r), larger(a.g, b.g), larger(a.b, b.b)};
+  };
+  return std::visit(
+      Overloaded{
+          [](const SolidPattern& p) { return p.color; },
+          [&](const CheckerPattern& p) { return larger_of(largest_[p.even], largest_[p.odd]); },
+          [&](const StripesPattern& p) { return larger_of(largest_[p.even], largest_[p.odd]); },
+          [&](const BrickPattern& p) { return larger_of(largest_[p.brick], largest_[p.mortar]); },
+          [&](const GradientPattern& p) {
+            Rgbd most = p.stops.front().color;
+            for (const GradientStop& stop : p.stops)
+              most = larger_of(most, stop.color);
+            return most;
+          },
+          [](const ImagePattern&) { return Rgbd(1.0); }},
+      pattern);
+}
+
+}  // namespace alhazen::parser

@@ -1,0 +1,44 @@
+// parser/eval: textures, materials and images that have been made, each kept once: equal in all but
+// name and span means the same id.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/scene/material.h"
+#include "core/scene/shape.h"
+#include "core/scene/texture.h"
+
+namespace alhazen::parser {
+
+class Store {
+ public:
+  TextureId add(Texture texture);
+  MaterialId add(Material material);
+  ImageId add(ImageFile image);
+
+  const Texture& texture(TextureId id) const { return textures_[id]; }
+  const Material& material(MaterialId id) const { return materials_[id]; }
+  const ImageFile& image(ImageId id) const { return images_[id]; }
+  // A bound of the texture's colours, channel by channel. An image counts as 1: what it reflects is
+  // limited when it is read.
+  Rgbd largest(TextureId id) const { return largest_[id]; }
+
+  // The first name that an author gives a material stays.
+  void name_material(MaterialId id, std::string_view name);
+
+ private:
+  Rgbd bound(const Pattern& pattern) const;
+
+  std::vector<Texture> textures_;
+  std::vector<Rgbd> largest_;
+  std::vector<Material> materials_;
+  std::vector<ImageFile> images_;
+  // Keys are the values' bytes, written out field by field.
+  std::unordered_map<std::string, TextureId> texture_ids_;
+  std::unordered_map<std::string, MaterialId> material_ids_;
+  std::unordered_map<std::string, ImageId> image_ids_;
+};
+
+}  // namespace alhazen::parser
