@@ -1,0 +1,73 @@
+// parser/eval: the block of the settings. core/scene/settings.h says what each is.
+#include "parser/eval/schema/schema.h"
+#include "parser/eval/schema/types.h"
+
+namespace alhazen::parser {
+namespace {
+
+constexpr std::string_view kFilters[] = {"box", "tent", "gaussian", "mitchell"};
+
+constexpr PropertySpec kRender[] = {
+    {.name = "size",
+     .types = kVec2,
+     .range = integers(1, 65536),
+     .default_value = vec2_default(640, 360),
+     .doc = "width and height of the picture in pixels"},
+    {.name = "samples",
+     .types = kNumber,
+     .range = integers(1, 1048576),
+     .default_value = number_default(16),
+     .doc = "for each pixel, at most that when sampling is adaptive; 1 is the pixel's centre"},
+    {.name = "adaptive",
+     .types = kNumber,
+     .range = above(0),
+     .doc = "stop a pixel when the standard error of its mean is at most this"},
+    {.name = "min_samples",
+     .types = kNumber,
+     .range = integers(2, 1048576),
+     .doc = "before `adaptive` may stop a pixel; 16, or `samples` if that is less"},
+    {.name = "depth",
+     .types = kNumber,
+     .range = integers(0, 1000000),
+     .default_value = number_default(16),
+     .doc = "reflections and refractions along a path"},
+    {.name = "cutoff",
+     .types = kNumber,
+     .range = between(0, 1),
+     .default_value = number_default(1.0 / 512),
+     .doc = "rays that contribute less than this are not traced"},
+    {.name = "filter",
+     .types = kString,
+     .default_value = word_default("box"),
+     .words = kFilters,
+     .doc = "how samples make a pixel"},
+    {.name = "filter_radius",
+     .types = kNumber,
+     .range = between(0.5, 16),
+     .doc = "in pixels; usual for the filter if not given: box 0.5, tent 1, gaussian 1.5, "
+            "mitchell 2"},
+    {.name = "transparent_background",
+     .types = kBool,
+     .default_value = bool_default(false),
+     .doc = "alpha 0 where nothing is seen"},
+    {.name = "seed",
+     .types = kNumber,
+     .range = integers(0, 9007199254740992),
+     .default_value = number_default(0),
+     .doc = "another gives other random numbers"},
+};
+
+constexpr BlockSchema kSchema = {
+    .name = "render",
+    .doc = "How the picture is made. The command line overrides it.",
+    .tables = {kRender},
+    .example = "render { size <640, 480>  samples 64  adaptive 0.005  filter mitchell }"};
+constexpr const BlockSchema* kAll[] = {&kSchema};
+
+}  // namespace
+
+std::span<const BlockSchema* const> render_schemas() {
+  return kAll;
+}
+
+}  // namespace alhazen::parser
