@@ -1,0 +1,119 @@
+// parser/eval: `head { ... }` as an expression: a new material, highlight or object, or a variation
+// of a value.
+#include <fmt/format.h>
+
+#include "parser/eval/block_builder.h"
+#include "parser/eval/evaluator.h"
+#include "parser/eval/lower.h"
+#include "parser/eval/place.h"
+
+namespace alhazen::parser {
+namespace {
+
+// A block whose head is the name of a kind.
+Value make_new(Evaluator& evaluator, const ast::Expr& expr, const ast::Block& block,
+               const BlockSchema& schema, const ScopePtr& scope) {
+  BlockBuilder builder(evaluator, schema, block.head->span);
+  evaluator.fill(builder, block.body, scope);
+  if (&schema == &group_schema()) {
+    auto node = make_group(evaluator, builder, expr.span);
+    return node ? Value(object_of(std::move(*node))) : Value(Poison{});
+  }
+  const auto properties = builder.finish();
+  if (!properties) return Poison{};
+  if (find_schema(material_schemas(), schema.name) == &schema) {
+    const auto id = lower_material(evaluator.context(), *properties, nullptr);
+    return id ? Value(MaterialRef{*id}) : Value(Poison{});
+  }
+  if (find_schema(highlight_schemas(), schema.name) == &schema) {
+    return HighlightPtr{std::make_shared<const Highlight>(lower_highlight(*properties))};
+  }
+  auto node = make_shape(evaluator, *properties, expr.span);
+  return node ? Value(object_of(std::move(*node))) : Value(Poison{});
+}
+
+const BlockSchema* kind_of(std::string_view name) {
+  if (name == "group") return &group_schema();
+  for (const auto kinds : {material_schemas(), highlight_schemas(), shape_schemas()}) {
+    if (const BlockSchema* kind = find_schema(kinds, name)) return kind;
+  }
+  return nullptr;
+}
+
+Value vary_material(Evaluator& evaluator, MaterialId id, const ast::Block& block,
+                    const ScopePtr& scope) {
+  const Material base = evaluator.context().store().material(id);
+  BlockBuilder builder(evaluator, schema_of(base), block.head->span);
+  evaluator.fill(builder, block.body, scope);
+  const auto properties = builder.finish();
+  if (!properties) return Poison{};
+  const auto varied = lower_material(evaluator.context(), *properties, &base);
+  return varied ? Value(MaterialRef{*varied}) : Value(Poison{});
+}
+
+Value vary_texture(Evaluator& evaluator, TextureId id, const ast::Block& block,
+                   const ScopePtr& scope) {
+  BlockBuilder builder(evaluator, schema_of(evaluator.context().store().texture(id)),
+                       block.head->span);
+  evaluator.fill(builder, block.body, scope);
+  const auto properties = builder.finish();
+  if (!properties) return Poison{};
+  const auto varied = lower_texture(evaluator.context(), *properties, id);
+  return varied ? Value(TextureRef{*varied}) : Value(Poison{});
+}
+
+// An object moved, named or given a material: a group around it.
+Value vary_object(Evaluator& evaluator, const Object& object, const ast::Expr& expr,
+                  const ast::Block& block, const ScopePtr& scope) {
+  BlockBuilder builder(evaluator, object_schema(), block.head->span);
+  builder.add(Node{object.group, std::nullopt, kNoId, "", expr.span}, expr.span);
+  evaluator.fill(builder, block.body, scope);
+  auto node = make_group(evaluator, builder, expr.span);
+  return node ? Value(object_of(std::move(*node))) : Value(Poison{});
+}
+
+}  // namespace
+
+void Evaluator::fill(BlockBuilder& builder, const ast::Body& body, const ScopePtr& scope) {
+  if (nesting_ >= context_.limits().nesting) {
+    context_.halt<DiagnosticKind::nested_too_deep>(body.span, "evaluations",
+                                                   context_.limits().nesting);
+    return;
+  }
+  ++nesting_;
+  run(body.items, {new_scope(scope), builder, nullptr});
+  --nesting_;
+}
+
+Value Evaluator::evaluate_block(const ast::Expr& expr, const ast::Block& block,
+                                const ScopePtr& scope) {
+  if (const auto* name = std::get_if<ast::NameRef>(&block.head->node)) {
+    const BlockSchema* kind = kind_of(name->name);
+    if (kind != nullptr && scope->find(name->name) == nullptr) {
+      return make_new(*this, expr, block, *kind, scope);
+    }
+  }
+  const Value head = evaluate(*block.head, scope);
+  switch (head.type()) {
+    case Type::poison:
+      return Poison{};
+    case Type::material:
+      return vary_material(*this, head.as<MaterialRef>().id, block, scope);
+    case Type::texture:
+      return vary_texture(*this, head.as<TextureRef>().id, block, scope);
+    case Type::object:
+      return vary_object(*this, head.as<Object>(), expr, block, scope);
+    default: {
+      Diagnostic& d = context_.report<DiagnosticKind::takes_no_body>(block.head->span,
+                                                                     a_type_name(head.type()));
+      if (head.is(Type::builtin)) {
+        d.hint(fmt::format("call it first: `{} {{ ... }}`",
+                           signature(*head.as<const BuiltinFunction*>())));
+      }
+      if (head.is(Type::function)) d.hint("call it first: `name(...) { ... }`");
+      return Poison{};
+    }
+  }
+}
+
+}  // namespace alhazen::parser

@@ -1,0 +1,242 @@
+// parser/eval: properties against their schema: unknown, repeated, missing, of a wrong kind.
+#include "parser/eval/block_builder.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "parser/eval/property_check.h"
+#include "parser/eval/suggest.h"
+
+namespace alhazen::parser {
+namespace {
+
+// Objects within objects are walked by recursion.
+constexpr int kMaxObjectDepth = 500;
+
+std::string example_hint(const BlockSchema& schema) {
+  return fmt::format("for instance `{}`", schema.example);
+}
+
+std::vector<std::string_view> names_of(std::span<const BlockSchema* const> kinds) {
+  std::vector<std::string_view> names;
+  for (const BlockSchema* kind : kinds)
+    names.push_back(kind->name);
+  return names;
+}
+
+}  // namespace
+
+void BlockBuilder::take(const ast::Property& item, SourceSpan span, const ScopePtr& scope) {
+  if (!first_) first_ = span;
+  if (const PropertySpec* spec = properties_.schema().find(item.name.text)) {
+    take_property(*spec, item, span, scope);
+  } else if (properties_.schema().places && Evaluator::is_placement(item.name.text)) {
+    auto node = evaluator_.place(item, span, scope);
+    if (!node) {
+      broken_ = true;
+      return;
+    }
+    add(std::move(*node), span);
+  } else {
+    report_unknown(item.name, scope);
+    broken_ = true;
+  }
+}
+
+void BlockBuilder::take(const ast::Placement& item, SourceSpan span, const ScopePtr& scope) {
+  if (!first_) first_ = span;
+  const BlockSchema& schema = properties_.schema();
+  const auto* block = std::get_if<ast::Block>(&item.object->node);
+  const auto& call = std::get<ast::Call>((block != nullptr ? *block->head : *item.object).node);
+  const auto* name = std::get_if<ast::NameRef>(&call.callee->node);
+  const bool is_property =
+      name != nullptr && scope->find(name->name) == nullptr && schema.find(name->name) != nullptr;
+  if (is_property || !schema.places) {
+    const SourceSpan at = call.callee->span;
+    if (is_property) {
+      evaluator_.context()
+          .report<DiagnosticKind::property_called>(at, name->name)
+          .hint(fmt::format("write `{} ...`, without parentheses or with a space before them",
+                            name->name));
+    } else {
+      evaluator_.context().report<DiagnosticKind::cannot_place_here>(at, schema.name);
+    }
+    broken_ = true;
+    return;
+  }
+  auto node = evaluator_.place_value(*item.object, span, scope);
+  if (node) {
+    add(std::move(*node), span);
+  } else {
+    broken_ = true;
+  }
+}
+
+void BlockBuilder::add(Node node, SourceSpan span) {
+  if (const auto* inner = std::get_if<std::shared_ptr<const Group>>(&node.content)) {
+    group_.node_count += (*inner)->node_count;
+    group_.depth = std::max(group_.depth, (*inner)->depth + 1);
+  } else {
+    ++group_.node_count;
+  }
+  const EvalLimits& limits = evaluator_.context().limits();
+  if (group_.node_count > limits.shapes) {
+    evaluator_.context().halt<DiagnosticKind::too_many_shapes>(span, limits.shapes);
+  } else if (group_.depth > kMaxObjectDepth) {
+    evaluator_.context().halt<DiagnosticKind::nested_too_deep>(span, "objects", kMaxObjectDepth);
+  } else {
+    group_.children.push_back(std::move(node));
+  }
+}
+
+void BlockBuilder::take_property(const PropertySpec& spec, const ast::Property& item,
+                                 SourceSpan span, const ScopePtr& scope) {
+  const Property* earlier = properties_.find(spec.name);
+  if (earlier != nullptr && spec.presence != Presence::repeatable) {
+    evaluator_.context()
+        .report<DiagnosticKind::repeated_property>(item.name.span, spec.name)
+        .label(earlier->name_span, "first given here");
+    broken_ = true;
+    return;
+  }
+  auto property = read(spec, item, span, scope);
+  if (!property) {
+    broken_ = true;
+    // Known to be there: a second one is still one too many, and it is not missing.
+    property = Property{&spec, Poison{}, nullptr, {}, item.name.span};
+  }
+  property->name_span = item.name.span;
+  properties_.add(std::move(*property));
+}
+
+std::optional<Property> BlockBuilder::read(const PropertySpec& spec, const ast::Property& item,
+                                           SourceSpan span, const ScopePtr& scope) {
+  Context& context = evaluator_.context();
+  if (const auto* body = std::get_if<ast::Body>(&item.value)) {
+    if (!spec.blocks.empty() && !spec.kind_named) {
+      return read_block(spec, *spec.blocks[0], item.name.span, span, *body, scope);
+    }
+    if (!spec.blocks.empty()) {
+      context
+          .report<DiagnosticKind::kind_missing>(item.name.span, spec.name,
+                                                fmt::join(names_of(spec.blocks), "`, `"))
+          .hint(example_hint(*spec.blocks[0]));
+    } else {
+      context.report<DiagnosticKind::property_takes_no_body>(item.name.span, spec.name,
+                                                             describe(spec.types));
+    }
+    return std::nullopt;
+  }
+  const ast::Expr& expr = *std::get<ast::ExprPtr>(item.value);
+  if (const auto* name = std::get_if<ast::NameRef>(&expr.node)) {
+    const bool is_word =
+        std::find(spec.words.begin(), spec.words.end(), name->name) != spec.words.end();
+    const bool is_unknown_word = !spec.words.empty() && scope->find(name->name) == nullptr;
+    if (is_word || is_unknown_word) {
+      const Value word = context.make_text(name->name, expr.span);
+      if (word.is_poison() || !check_property(context, spec, word, expr.span)) return std::nullopt;
+      return Property{&spec, word, nullptr, {}, expr.span};
+    }
+  }
+  if (!spec.blocks.empty()) {
+    const auto* block = std::get_if<ast::Block>(&expr.node);
+    const bool is_kind =
+        block != nullptr && std::holds_alternative<ast::NameRef>(block->head->node);
+    const bool is_bare_kind = std::holds_alternative<ast::NameRef>(expr.node) &&
+                              scope->find(std::get<ast::NameRef>(expr.node).name) == nullptr;
+    if (is_kind || is_bare_kind || spec.types == 0) return read_kind(spec, expr, scope);
+  }
+  const Value value = evaluator_.evaluate(expr, scope);
+  if (value.is_poison() || !check_property(context, spec, value, expr.span)) return std::nullopt;
+  return Property{&spec, value, nullptr, {}, expr.span};
+}
+
+std::optional<Property> BlockBuilder::read_kind(const PropertySpec& spec, const ast::Expr& expr,
+                                                const ScopePtr& scope) {
+  Context& context = evaluator_.context();
+  const auto* block = std::get_if<ast::Block>(&expr.node);
+  const ast::Expr& head = block != nullptr ? *block->head : expr;
+  const auto* name = std::get_if<ast::NameRef>(&head.node);
+  const BlockSchema* kind = name != nullptr ? find_schema(spec.blocks, name->name) : nullptr;
+  if (kind != nullptr && block != nullptr) {
+    return read_block(spec, *kind, head.span, expr.span, block->body, scope);
+  }
+  if (kind != nullptr) {
+    context.report<DiagnosticKind::kind_needs_body>(expr.span, kind->name)
+        .hint(example_hint(*kind));
+    return std::nullopt;
+  }
+  if (!spec.kind_named) {
+    context.report<DiagnosticKind::kind_needs_body>(expr.span, spec.name)
+        .hint(example_hint(*spec.blocks[0]));
+    return std::nullopt;
+  }
+  Diagnostic& d = context.report<DiagnosticKind::unknown_kind>(
+      head.span, spec.name, fmt::join(names_of(spec.blocks), "`, `"));
+  if (name != nullptr) {
+    if (const auto meant = nearest(name->name, names_of(spec.blocks))) {
+      d.hint(fmt::format("did you mean `{}`?", *meant));
+    }
+  }
+  d.hint(example_hint(*spec.blocks[0]));
+  return std::nullopt;
+}
+
+std::optional<Property> BlockBuilder::read_block(const PropertySpec& spec, const BlockSchema& kind,
+                                                 SourceSpan head, SourceSpan span,
+                                                 const ast::Body& body, const ScopePtr& scope) {
+  BlockBuilder inner(evaluator_, kind, head);
+  evaluator_.fill(inner, body, scope);
+  auto properties = inner.finish();
+  if (!properties) return std::nullopt;
+  return Property{
+      &spec, Value(), std::make_shared<const Properties>(std::move(*properties)), {}, span};
+}
+
+void BlockBuilder::report_unknown(const ast::Name& name, const ScopePtr& scope) {
+  const BlockSchema& schema = properties_.schema();
+  Diagnostic& d = evaluator_.context().report<DiagnosticKind::unknown_property>(
+      name.span, schema.name, name.text);
+  std::vector<std::string_view> candidates = schema.property_names();
+  if (schema.places) {
+    const auto shapes = names_of(shape_schemas());
+    candidates.insert(candidates.end(), shapes.begin(), shapes.end());
+    candidates.insert(candidates.end(), {"group", "object", "light"});
+  }
+  const Binding* binding = scope->find(name.text);
+  if (const auto meant = nearest(name.text, candidates)) {
+    d.hint(fmt::format("did you mean `{}`?", *meant));
+  } else if (schema.places && binding != nullptr &&
+             (binding->value.is(Type::function) || binding->value.is(Type::object))) {
+    d.hint(fmt::format("to place it write `{}`", binding->value.is(Type::function)
+                                                     ? name.text + "(...)"
+                                                     : "object " + name.text));
+  } else if (schema.places && find_schema(material_schemas(), name.text) != nullptr) {
+    d.hint(fmt::format("a material belongs to something: `material {} {{ ... }}`", name.text));
+  } else if (!schema.places) {
+    d.hint(fmt::format("`{}` has `{}`", schema.name, fmt::join(schema.property_names(), "`, `")));
+  }
+}
+
+std::optional<Properties> BlockBuilder::finish() {
+  if (evaluator_.context().halted()) return std::nullopt;
+  for (const auto& table : properties_.schema().tables) {
+    for (const PropertySpec& spec : table) {
+      if (spec.presence != Presence::required || properties_.has(spec.name)) continue;
+      evaluator_.context()
+          .report<DiagnosticKind::missing_property>(properties_.head(), properties_.schema().name,
+                                                    spec.name)
+          .hint(spec.blocks.empty() ? fmt::format("`{}` is {}", spec.name, spec.doc)
+                                    : example_hint(*spec.blocks[0]));
+      broken_ = true;
+    }
+  }
+  if (broken_) return std::nullopt;
+  return std::move(properties_);
+}
+
+std::shared_ptr<const Group> BlockBuilder::finish_group() {
+  return std::make_shared<const Group>(std::move(group_));
+}
+
+}  // namespace alhazen::parser

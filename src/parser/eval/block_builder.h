@@ -1,0 +1,53 @@
+// parser/eval: collects what the items of one block say, against the block's schema.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "parser/eval/evaluator.h"
+#include "parser/eval/properties.h"
+
+namespace alhazen::parser {
+
+class BlockBuilder {
+ public:
+  BlockBuilder(Evaluator& evaluator, const BlockSchema& schema, SourceSpan head)
+      : evaluator_(evaluator), properties_(schema, head) {}
+
+  // One `name value` or `name { ... }` of the block: a property, or a thing to place.
+  void take(const ast::Property& item, SourceSpan span, const ScopePtr& scope);
+
+  // `tower(3)`, `tower(3) { ... }`.
+  void take(const ast::Placement& item, SourceSpan span, const ScopePtr& scope);
+  // A thing placed in the block; reports at `span` when there are too many.
+  void add(Node node, SourceSpan span);
+
+  // Whether anything was said at all, and where the first of it stands.
+  bool empty() const { return !first_.has_value(); }
+  SourceSpan first_span() const { return *first_; }
+
+  // The properties, once every required one is there; nothing if there was an error in the block.
+  std::optional<Properties> finish();
+  // What was placed, as one tree.
+  std::shared_ptr<const Group> finish_group();
+
+ private:
+  void take_property(const PropertySpec& spec, const ast::Property& item, SourceSpan span,
+                     const ScopePtr& scope);
+  std::optional<Property> read(const PropertySpec& spec, const ast::Property& item, SourceSpan span,
+                               const ScopePtr& scope);
+  std::optional<Property> read_kind(const PropertySpec& spec, const ast::Expr& expr,
+                                    const ScopePtr& scope);
+  std::optional<Property> read_block(const PropertySpec& spec, const BlockSchema& kind,
+                                     SourceSpan head, SourceSpan span, const ast::Body& body,
+                                     const ScopePtr& scope);
+  void report_unknown(const ast::Name& name, const ScopePtr& scope);
+
+  Evaluator& evaluator_;
+  Properties properties_;
+  Group group_;
+  std::optional<SourceSpan> first_;
+  bool broken_ = false;
+};
+
+}  // namespace alhazen::parser

@@ -1,0 +1,106 @@
+// parser/eval: calls of built-in functions: arguments against the function's table.
+#include <fmt/format.h>
+
+#include "parser/eval/evaluator.h"
+#include "parser/eval/operator.h"
+#include "parser/eval/property_check.h"
+#include "parser/eval/suggest.h"
+
+namespace alhazen::parser {
+namespace {
+
+std::size_t required_count(const BuiltinFunction& function) {
+  std::size_t count = 0;
+  for (const BuiltinParameter& parameter : function.parameters)
+    count += parameter.optional ? 0 : 1;
+  // The parameter that may be repeated may also be left out if it follows others.
+  return count;
+}
+
+// Which parameter each argument is for; nothing after a report.
+std::optional<std::vector<const ast::Argument*>> match(Context& context, const ast::Call& call,
+                                                       const BuiltinFunction& function) {
+  const std::size_t count = function.parameters.size();
+  std::vector<const ast::Argument*> slots(count, nullptr);
+  for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+    const ast::Argument& argument = call.arguments[i];
+    std::size_t slot = i;
+    if (argument.name) {
+      slot = 0;
+      while (slot < count && function.parameters[slot].name != argument.name->text)
+        ++slot;
+      if (slot == count) {
+        Diagnostic& d = context.report<DiagnosticKind::unknown_argument>(
+            argument.name->span, function.name, argument.name->text);
+        d.hint(fmt::format("it is `{}`", signature(function)));
+        return std::nullopt;
+      }
+    }
+    if (slot >= count && function.variadic) slots.resize(slot + 1, nullptr);
+    if (slot >= slots.size()) {
+      context
+          .report<DiagnosticKind::wrong_argument_count>(
+              argument.value->span, function.name, fmt::format("{}", count), call.arguments.size())
+          .hint(fmt::format("it is `{}`", signature(function)));
+      return std::nullopt;
+    }
+    if (slots[slot] != nullptr) {
+      context
+          .report<DiagnosticKind::repeated_argument>(argument.value->span,
+                                                     function.parameters[slot].name)
+          .label(slots[slot]->value->span, "first given here");
+      return std::nullopt;
+    }
+    slots[slot] = &argument;
+  }
+  for (std::size_t i = 0; i < required_count(function); ++i) {
+    if (slots[i] != nullptr) continue;
+    const bool may_be_left_out = function.variadic && i + 1 == count && i > 0;
+    if (may_be_left_out) {
+      slots.resize(i);
+      break;
+    }
+    context
+        .report<DiagnosticKind::missing_argument>(call.arguments_span, function.name,
+                                                  function.parameters[i].name)
+        .hint(fmt::format("it is `{}`", signature(function)));
+    return std::nullopt;
+  }
+  return slots;
+}
+
+}  // namespace
+
+Value Evaluator::call_builtin(const ast::Expr& expr, const ast::Call& call,
+                              const BuiltinFunction& function, const ScopePtr& scope) {
+  const auto slots = match(context_, call, function);
+  if (!slots) return Poison{};
+  BuiltinCall checked{context_, expr.span, {}, {}, function.name};
+  bool poisoned = false;
+  for (std::size_t i = 0; i < slots->size(); ++i) {
+    const ast::Argument* argument = (*slots)[i];
+    if (argument == nullptr) {
+      checked.values.emplace_back();
+      checked.spans.push_back(expr.span);
+      continue;
+    }
+    Value value = evaluate(*argument->value, scope);
+    const BuiltinParameter& parameter =
+        function.parameters[std::min(i, function.parameters.size() - 1)];
+    if (!value.is_poison() && (parameter.types & set_of(value.type())) == 0) {
+      Diagnostic& d = context_.report<DiagnosticKind::argument_type>(
+          argument->value->span, function.name, describe(parameter.types),
+          a_type_name(value.type()));
+      const std::string hint = conversion_hint(parameter.types, value);
+      if (!hint.empty()) d.hint(hint);
+      value = Poison{};
+    }
+    poisoned = poisoned || value.is_poison();
+    checked.values.push_back(std::move(value));
+    checked.spans.push_back(argument->value->span);
+  }
+  if (poisoned || context_.halted()) return Poison{};
+  return finite_or_report(context_, function.apply(checked), expr.span);
+}
+
+}  // namespace alhazen::parser

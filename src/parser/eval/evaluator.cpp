@@ -1,0 +1,17 @@
+// parser/eval: the life of an interpreter.
+#include "parser/eval/evaluator.h"
+
+#include "core/base/hash.h"
+
+namespace alhazen::parser {
+
+Evaluator::Evaluator(Context& context, Evaluation& out)
+    : context_(context), out_(out), root_(new_scope(nullptr)), text_hash_(fnv1a_64("")) {}
+
+Evaluator::~Evaluator() {
+  // A scope holds functions that hold the scope.
+  for (const ScopePtr& scope : captured_)
+    scope->clear();
+}
+
+}  // namespace alhazen::parser

@@ -1,0 +1,135 @@
+// parser/eval: the interpreter: expressions to values, items to what they place.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "parser/ast/ast.h"
+#include "parser/eval/builtin/builtin.h"
+#include "parser/eval/context.h"
+#include "parser/eval/object.h"
+#include "parser/eval/scope.h"
+
+namespace alhazen::parser {
+
+class BlockBuilder;
+using ScopePtr = std::shared_ptr<Scope>;
+using Items = std::vector<ast::ItemPtr>;
+
+// Whether the items after this one still run.
+enum class Flow { next, returned };
+
+// Where `return` leaves its value: one for each call of a function with a body.
+struct ReturnSlot {
+  std::optional<Value> value;
+  SourceSpan span;  // of the `return`
+};
+
+// What the items of one body act on.
+struct Body {
+  ScopePtr scope;
+  BlockBuilder& target;
+  ReturnSlot* result;  // null outside of functions
+};
+
+class Evaluator {
+ public:
+  explicit Evaluator(Context& context, Evaluation& out);
+  ~Evaluator();
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  Context& context() { return context_; }
+
+  // expression.cpp. Poison is a value whose error has been reported.
+  Value evaluate(const ast::Expr& expr, const ScopePtr& scope);
+
+  // statement.cpp
+  Flow run(const Items& items, const Body& body);
+
+  // place.cpp: the object that an expression is, as a node; reports what is not an object.
+  std::optional<Node> place_value(const ast::Expr& expr, SourceSpan span, const ScopePtr& scope);
+
+  // block.cpp: `head { ... }` as an expression.
+  Value evaluate_block(const ast::Expr& expr, const ast::Block& block, const ScopePtr& scope);
+  // A body that belongs to a block of a known kind; the builder has taken all its properties then.
+  void fill(BlockBuilder& builder, const ast::Body& body, const ScopePtr& scope);
+
+  // place.cpp: `sphere { ... }`, `group { ... }`, `object ...` and `light ...` as items.
+  static bool is_placement(std::string_view name);
+  std::optional<Node> place(const ast::Property& item, SourceSpan span, const ScopePtr& scope);
+
+  // include.cpp: the main text, and those that it includes.
+  bool run_file(FileId file, const std::filesystem::path& path, const Body& body);
+
+  // param.cpp: errors for `-D` names that no `param` took.
+  void report_unused_defines();
+
+  const ScopePtr& root_scope() const { return root_; }
+  std::uint64_t text_hash() const { return text_hash_; }
+
+ private:
+  struct ParsedFile {
+    ast::File tree;
+    bool broken = false;
+  };
+
+  // expression.cpp
+  Value evaluate_node(const ast::Expr& expr, const ScopePtr& scope);
+  Value evaluate_vector(const ast::VectorLiteral& vector, const ScopePtr& scope);
+  Value evaluate_list(const ast::Expr& expr, const ast::ListLiteral& list, const ScopePtr& scope);
+  Value evaluate_chain(const ast::Expr& expr, const ScopePtr& scope);
+  Value evaluate_range(const ast::Range& range, const ScopePtr& scope);
+  Value evaluate_member(const ast::Member& member, const ScopePtr& scope);
+  Value evaluate_index(const ast::Index& index, const ScopePtr& scope);
+  Value evaluate_name(const ast::Expr& expr, std::string_view name, const ScopePtr& scope);
+  std::optional<bool> evaluate_condition(const ast::Expr& expr, std::string_view what,
+                                         const ScopePtr& scope);
+
+  // call.cpp
+  Value evaluate_call(const ast::Expr& expr, const ast::Call& call, const ScopePtr& scope);
+  Value call_function(const ast::Expr& expr, const ast::Call& call, const Function& function,
+                      const ScopePtr& scope);
+  Value run_function_body(const ast::Expr& expr, const ast::Function& function,
+                          const ast::Body& body, const ScopePtr& scope);
+  Value call_builtin(const ast::Expr& expr, const ast::Call& call, const BuiltinFunction& function,
+                     const ScopePtr& scope);
+
+  // statement.cpp, control.cpp, param.cpp, include.cpp
+  Flow run_item(const ast::Item& item, const Body& body);
+  void run_let(const ast::Let& let, const Body& body);
+  void run_function(const ast::Function& function, const Body& body);
+  void run_assert(const ast::Assert& assertion, const Body& body);
+  void run_print(const ast::Item& item, const ast::Print& print, const Body& body);
+  Flow run_return(const ast::Item& item, const ast::Return& statement, const Body& body);
+  Flow run_for(const ast::For& loop, const Body& body);
+  Flow run_if(const ast::If& statement, const Body& body);
+  void run_param(const ast::Param& param, const Body& body);
+  std::optional<Value> override_for(const ast::Param& param, const Value& default_value);
+  void run_include(const ast::Include& include, const Body& body);
+  bool define(const ast::Name& name, Value value, const Body& body);
+
+  // place.cpp
+  std::optional<Node> place_object(const ast::Property& item, SourceSpan span,
+                                   const ScopePtr& scope);
+  std::optional<Node> place_light(const ast::Property& item, SourceSpan span,
+                                  const ScopePtr& scope);
+
+  ScopePtr new_scope(const ScopePtr& parent) { return std::make_shared<Scope>(parent); }
+
+  Context& context_;
+  Evaluation& out_;
+  ScopePtr root_;                                                       // of the main text
+  std::unordered_map<std::string, std::unique_ptr<ParsedFile>> files_;  // by canonical path
+  std::vector<std::unique_ptr<ParsedFile>> define_files_;
+  std::vector<std::string> include_stack_;
+  std::vector<std::string_view> defines_used_;
+  std::vector<ScopePtr> captured_;  // scopes that functions see
+  std::uint64_t text_hash_;
+  std::uint64_t source_bytes_ = 0;
+  int nesting_ = 0, call_depth_ = 0;
+};
+
+}  // namespace alhazen::parser

@@ -1,0 +1,188 @@
+// parser/eval: expressions to values.
+#include <fmt/format.h>
+
+#include "core/base/overloaded.h"
+#include "parser/eval/color_convert.h"
+#include "parser/eval/evaluator.h"
+#include "parser/eval/operator.h"
+#include "parser/eval/schema/schema.h"
+#include "parser/eval/suggest.h"
+
+namespace alhazen::parser {
+
+Value Evaluator::evaluate(const ast::Expr& expr, const ScopePtr& scope) {
+  if (!context_.spend_fuel(1, expr.span)) return Poison{};
+  if (nesting_ >= context_.limits().nesting) {
+    context_.halt<DiagnosticKind::nested_too_deep>(expr.span, "evaluations",
+                                                   context_.limits().nesting);
+    return Poison{};
+  }
+  ++nesting_;
+  Value value = evaluate_node(expr, scope);
+  --nesting_;
+  return value;
+}
+
+Value Evaluator::evaluate_node(const ast::Expr& expr, const ScopePtr& scope) {
+  return std::visit(
+      Overloaded{
+          [&](const ast::NumberLiteral& n) {
+            return finite_or_report(context_, n.value, expr.span);
+          },
+          [&](const ast::AngleLiteral& a) {
+            const double deg =
+                a.unit == ast::AngleUnit::deg ? a.value : a.value * 180 / alhazen::pi<double>();
+            return finite_or_report(context_, Angle{deg}, expr.span);
+          },
+          [&](const ast::StringLiteral& s) { return context_.make_text(s.value, expr.span); },
+          [&](const ast::HexColor& c) -> Value {
+            return working_from_rec709(
+                context_.options().working_from_rec709,
+                {srgb_to_linear(c.red / 255.0), srgb_to_linear(c.green / 255.0),
+                 srgb_to_linear(c.blue / 255.0)});
+          },
+          [&](const ast::BoolLiteral& b) -> Value { return b.value; },
+          [&](const ast::NameRef& n) { return evaluate_name(expr, n.name, scope); },
+          [&](const ast::VectorLiteral& v) { return evaluate_vector(v, scope); },
+          [&](const ast::ListLiteral& l) { return evaluate_list(expr, l, scope); },
+          [&](const ast::Parenthesized& p) { return evaluate(*p.inner, scope); },
+          [&](const ast::Unary& u) {
+            return apply_unary(context_, u.op, evaluate(*u.operand, scope), u.operand->span);
+          },
+          [&](const ast::Binary&) { return evaluate_chain(expr, scope); },
+          [&](const ast::Range& r) { return evaluate_range(r, scope); },
+          [&](const ast::Conditional& c) {
+            const auto holds = evaluate_condition(*c.condition, "`if`", scope);
+            if (!holds) return Value(Poison{});
+            return evaluate(*holds ? *c.then_value : *c.else_value, scope);
+          },
+          [&](const ast::Member& m) { return evaluate_member(m, scope); },
+          [&](const ast::Index& i) { return evaluate_index(i, scope); },
+          [&](const ast::Call& c) { return evaluate_call(expr, c, scope); },
+          [&](const ast::Block& b) { return evaluate_block(expr, b, scope); },
+          [&](const ast::ErrorExpr&) -> Value { return Poison{}; }},
+      expr.node);
+}
+
+// What the author defined comes first: built-in names may be taken.
+Value Evaluator::evaluate_name(const ast::Expr& expr, std::string_view name,
+                               const ScopePtr& scope) {
+  if (const Binding* binding = scope->find(name)) return binding->value;
+  if (const BuiltinConstant* constant = find_constant(name)) return constant->value;
+  if (const BuiltinFunction* function = find_builtin(name)) return function;
+  for (const auto kinds : {material_schemas(), highlight_schemas(), shape_schemas()}) {
+    if (const BlockSchema* kind = find_schema(kinds, name)) {
+      context_.report<DiagnosticKind::kind_needs_body>(expr.span, name)
+          .hint(fmt::format("for instance `{}`", kind->example));
+      return Poison{};
+    }
+  }
+  Diagnostic& d = context_.report<DiagnosticKind::unknown_name>(expr.span, name);
+  std::vector<std::string_view> candidates = scope->visible_names();
+  for (const std::string_view builtin : builtin_names())
+    candidates.push_back(builtin);
+  for (const auto kinds : {material_schemas(), highlight_schemas(), shape_schemas()}) {
+    for (const BlockSchema* kind : kinds)
+      candidates.push_back(kind->name);
+  }
+  if (const auto meant = nearest(name, candidates))
+    d.hint(fmt::format("did you mean `{}`?", *meant));
+  return Poison{};
+}
+
+// `<0, 30deg, 0>` is a vector of angles: a plain 0 needs no unit.
+Value Evaluator::evaluate_vector(const ast::VectorLiteral& vector, const ScopePtr& scope) {
+  const std::size_t count = vector.components.size();
+  std::array<double, 3> numbers{};
+  std::array<bool, 3> is_angle{};
+  const ast::Expr* angle = nullptr;
+  const ast::Expr* number = nullptr;  // the first that is not 0
+  bool poisoned = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ast::Expr& component = *vector.components[i];
+    const Value value = evaluate(component, scope);
+    if (value.is(Type::number)) {
+      numbers[i] = value.number();
+      if (value.number() != 0 && number == nullptr) number = &component;
+    } else if (value.is(Type::angle)) {
+      numbers[i] = value.as<Angle>().deg;
+      is_angle[i] = true;
+      if (angle == nullptr) angle = &component;
+    } else {
+      if (!value.is_poison()) {
+        context_.report<DiagnosticKind::component_type>(component.span, a_type_name(value.type()));
+      }
+      poisoned = true;
+    }
+  }
+  if (poisoned) return Poison{};
+  if (angle != nullptr && number != nullptr) {
+    context_.report<DiagnosticKind::mixed_components>(number->span)
+        .label(angle->span, "this is an angle")
+        .hint("angles carry a unit: `<0, 30deg, 0>`");
+    return Poison{};
+  }
+  if (count == 2) {
+    if (angle != nullptr) {
+      context_.report<DiagnosticKind::component_type>(angle->span, "an angle");
+      return Poison{};
+    }
+    return Vec2d{numbers[0], numbers[1]};
+  }
+  const Vec3d v{numbers[0], numbers[1], numbers[2]};
+  return angle != nullptr ? Value(AngleVector{v}) : Value(v);
+}
+
+Value Evaluator::evaluate_list(const ast::Expr& expr, const ast::ListLiteral& list,
+                               const ScopePtr& scope) {
+  std::vector<Value> elements;
+  elements.reserve(list.elements.size());
+  for (const ast::ExprPtr& element : list.elements)
+    elements.push_back(evaluate(*element, scope));
+  return context_.make_list(std::move(elements), expr.span);
+}
+
+// a + b + c + ... is deep to the left; a loop takes it without stack.
+Value Evaluator::evaluate_chain(const ast::Expr& expr, const ScopePtr& scope) {
+  std::vector<const ast::Binary*> chain;
+  const ast::Expr* leftmost = &expr;
+  while (const auto* binary = std::get_if<ast::Binary>(&leftmost->node)) {
+    chain.push_back(binary);
+    leftmost = binary->left.get();
+  }
+  if (!context_.spend_fuel(chain.size(), expr.span)) return Poison{};
+  Value value = evaluate(*leftmost, scope);
+  for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
+    const ast::Binary& binary = **it;
+    const bool is_and = binary.op == ast::BinaryOperator::logical_and;
+    if (!is_and && binary.op != ast::BinaryOperator::logical_or) {
+      const Value right = evaluate(*binary.right, scope);
+      value =
+          apply_binary(context_, binary.op, value, binary.left->span, right, binary.right->span);
+      continue;
+    }
+    const std::string_view word = is_and ? "`and`" : "`or`";
+    if (value.is_poison()) continue;
+    if (!value.is(Type::boolean)) {
+      context_.report<DiagnosticKind::condition_not_bool>(binary.left->span, word,
+                                                          a_type_name(value.type()));
+      value = Poison{};
+    } else if (value.as<bool>() == is_and) {
+      const auto right = evaluate_condition(*binary.right, word, scope);
+      value = right ? Value(*right) : Value(Poison{});
+    }
+  }
+  return value;
+}
+
+std::optional<bool> Evaluator::evaluate_condition(const ast::Expr& expr, std::string_view what,
+                                                  const ScopePtr& scope) {
+  const Value value = evaluate(expr, scope);
+  if (value.is(Type::boolean)) return value.as<bool>();
+  if (!value.is_poison()) {
+    context_.report<DiagnosticKind::condition_not_bool>(expr.span, what, a_type_name(value.type()));
+  }
+  return std::nullopt;
+}
+
+}  // namespace alhazen::parser

@@ -1,0 +1,50 @@
+// parser/eval: the settings.
+#include <fmt/format.h>
+
+#include "parser/eval/lower.h"
+
+namespace alhazen::parser {
+namespace {
+
+ReconstructionFilter lower_filter(const Properties& p) {
+  const std::string word = p.word("filter");
+  ReconstructionFilter filter{FilterKind::box, 0.5};
+  if (word == "tent") filter = {FilterKind::tent, 1};
+  if (word == "gaussian") filter = {FilterKind::gaussian, 1.5};
+  if (word == "mitchell") filter = {FilterKind::mitchell, 2};
+  if (p.has("filter_radius")) filter.radius = p.number("filter_radius");
+  return filter;
+}
+
+}  // namespace
+
+std::optional<RenderSettings> lower_render(Context& context, const Properties& p) {
+  RenderSettings out;
+  out.width = static_cast<int>(p.vec2("size").x);
+  out.height = static_cast<int>(p.vec2("size").y);
+  out.samples = static_cast<int>(p.number("samples"));
+  if (p.has("min_samples") && !p.has("adaptive")) {
+    context.report<DiagnosticKind::needs_other_property>(p.find("min_samples")->name_span,
+                                                         "min_samples", "adaptive");
+    return std::nullopt;
+  }
+  if (p.has("adaptive")) {
+    if (p.has("min_samples") && p.number("min_samples") > out.samples) {
+      context.report<DiagnosticKind::min_samples_above>(
+          p.span("min_samples"), number_text(p.number("min_samples")), out.samples);
+      return std::nullopt;
+    }
+    AdaptiveSampling adaptive{p.number("adaptive"), out.samples < 16 ? out.samples : 16};
+    if (p.has("min_samples")) adaptive.min_samples = static_cast<int>(p.number("min_samples"));
+    out.adaptive = adaptive;
+  }
+  out.max_depth = static_cast<int>(p.number("depth"));
+  out.cutoff = p.number("cutoff");
+  out.filter = lower_filter(p);
+  out.transparent_background = p.boolean("transparent_background");
+  out.seed = static_cast<std::uint64_t>(p.number("seed"));
+  out.span = p.head();
+  return out;
+}
+
+}  // namespace alhazen::parser

@@ -1,0 +1,19 @@
+// parser/eval: nodes of the tree of what is placed, from blocks.
+#pragma once
+
+#include <optional>
+
+#include "parser/eval/block_builder.h"
+#include "parser/eval/object.h"
+
+namespace alhazen::parser {
+
+// A shape from the finished properties of its block; a group of what a builder has taken. Nothing
+// after a report.
+std::optional<Node> make_shape(Evaluator& evaluator, const Properties& properties, SourceSpan span);
+std::optional<Node> make_group(Evaluator& evaluator, BlockBuilder& builder, SourceSpan span);
+
+// One node as a value.
+Object object_of(Node node);
+
+}  // namespace alhazen::parser
