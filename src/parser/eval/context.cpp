@@ -36,7 +36,7 @@ bool Context::spend_fuel(std::uint64_t units, SourceSpan at) {
   if (halted()) return false;
   if (units > fuel_left()) {
     halt<DiagnosticKind::fuel_exhausted>(at, options_.limits.fuel)
-        .hint("a loop or a recursion that does not end? The limit can be raised with `--fuel`");
+        .hint("is there a recursion that does not end, or a loop within loops?");
     return false;
   }
   fuel_used_ += units;

@@ -20,7 +20,7 @@ Flow Evaluator::run_for(const ast::For& loop, const Body& body) {
   // Said at once rather than after so many turns.
   if (count > static_cast<double>(context_.fuel_left())) {
     context_.halt<DiagnosticKind::loop_too_long>(loop.sequence->span, number_text(count),
-                                                 context_.limits().fuel);
+                                                 context_.fuel_left(), context_.limits().fuel);
     return Flow::returned;
   }
   const std::size_t errors_before = context_.sink().error_count();

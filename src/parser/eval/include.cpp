@@ -66,7 +66,10 @@ void Evaluator::run_include(const ast::Include& include, const Body& body) {
     }
     return;
   }
-  const FileId id = context_.sources().add(key, std::move(text).value());
+  // Messages call it as the author would from where the main text was named.
+  const std::filesystem::path here = context_.sources().name(include.path_span.file);
+  const std::string shown = (here.parent_path() / include.path).lexically_normal().string();
+  const FileId id = context_.sources().add(shown, std::move(text).value());
   out_.files_read.push_back(*path);
   context_.enter_include(include.path_span);
   run_file(id, *path, body);

@@ -154,7 +154,11 @@ std::string describe(TypeSet types) {
 
 std::string number_text(double value) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  // Whole numbers that people count with are written out: 1000000000 rather than 1e+09.
+  const bool counts = value == round_down(value) && absolute(value) < 1e15;
+  const auto end =
+      counts ? std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed).ptr
+             : std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
   return {buffer, end};
 }
 

@@ -1,7 +1,6 @@
 #include "parser/print/doc.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace alhazen::parser {

@@ -1,4 +1,6 @@
 // parser/eval: functions of vectors.
+#include <cmath>
+
 #include "core/math/elementary.h"
 #include "parser/eval/builtin/builtin.h"
 #include "parser/eval/schema/types.h"
@@ -11,14 +13,16 @@ constexpr BuiltinParameter kTwo[] = {{"a", kVec3}, {"b", kVec3}};
 constexpr BuiltinParameter kTurn[] = {{"v", kVec3}, {"turn", kAngles | kTransform}};
 constexpr BuiltinParameter kComponents[] = {{"x", kNumber}, {"y", kNumber}, {"z", kNumber}};
 
-// The largest component in size, to keep squares in range. An exact power of two would be exact to
-// divide by; the division by a component costs half an ulp and serves every length.
 double size_of(Vec3d v) {
   return larger(absolute(v.x), larger(absolute(v.y), absolute(v.z)));
 }
+
+// Scaled by a power of two first, which is exact and keeps the squares in range.
 double safe_length(Vec3d v) {
-  const double size = size_of(v);
-  return size == 0 ? 0 : size * length(v / size);
+  if (size_of(v) == 0) return 0;
+  const int exponent = std::ilogb(size_of(v));
+  const auto near_one = [&](double c) { return std::scalbn(c, -exponent); };
+  return std::scalbn(length(Vec3d{near_one(v.x), near_one(v.y), near_one(v.z)}), exponent);
 }
 
 Value dot_of(const BuiltinCall& call) {
