@@ -18,4 +18,12 @@ FrontEnd front_end(std::string name, std::string text) {
   return result;
 }
 
+FrontEnd check(std::string name, std::string text, const std::filesystem::path& folder,
+               const parser::EvalOptions& options) {
+  FrontEnd result = front_end(std::move(name), std::move(text));
+  if (result.sink.error_count() > 0) return result;
+  parser::evaluate_text(result.tree.id, folder, result.sources, result.sink, options);
+  return result;
+}
+
 }  // namespace alhazen::test

@@ -5,6 +5,7 @@
 
 #include "core/diag/diagnostic.h"
 #include "parser/ast/ast.h"
+#include "parser/eval/evaluate.h"
 
 namespace alhazen::test {
 
@@ -16,7 +17,11 @@ struct FrontEnd {
   std::string errors() const;  // as a person reads them
 };
 
-// `name` is what the messages show.
+// Reads and parses. `name` is what the messages show.
 FrontEnd front_end(std::string name, std::string text);
+
+// The same, and evaluates if there was no error; files are relative to `folder`.
+FrontEnd check(std::string name, std::string text, const std::filesystem::path& folder,
+               const parser::EvalOptions& options = {});
 
 }  // namespace alhazen::test
