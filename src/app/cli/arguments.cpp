@@ -59,6 +59,10 @@ CLI::Option* CommandLine::scene_argument(std::string& target) {
   return add_option("SCENE", target, "the scene file")->required()->type_name("");
 }
 
+CLI::Option* CommandLine::scene_arguments(std::vector<std::string>& targets) {
+  return add_option("SCENE", targets, "the scene files")->required()->type_name("");
+}
+
 std::string CommandLine::last_name(const std::string& names) {
   return names.substr(names.rfind(',') + 1);
 }

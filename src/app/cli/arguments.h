@@ -20,6 +20,9 @@ class CommandLine : public CLI::App {
   // Reads the words. A code means that the verb is over: help was printed, or a complaint.
   std::optional<ExitCode> read(const Arguments& arguments);
 
+  // A usage error of this verb, on stderr.
+  ExitCode complain(const std::string& message) const;
+
   // An option with one value that `convert` turns into a Result<T>; without the option, `target`
   // stays as it is. `value` is how the help names the value: N, WxH.
   template <class T, class Convert>
@@ -33,17 +36,32 @@ class CommandLine : public CLI::App {
     CLI::Option* option = add_option_function<std::string>(names, read_value, help);
     return option->type_name(value)->group(group_);
   }
+  // The same for an option that may be repeated: `targets` gets one value from each.
+  template <class T, class Convert>
+  CLI::Option* list_option(const std::string& names, const char* value, std::vector<T>& targets,
+                           const Convert& convert, const std::string& help) {
+    const auto read_values = [this, names, &targets,
+                              convert](const std::vector<std::string>& texts) {
+      for (const std::string& text : texts) {
+        auto converted = convert(text);
+        if (!converted) throw CLI::ValidationError(last_name(names), converted.error().message);
+        targets.push_back(std::move(converted).value());
+      }
+    };
+    CLI::Option* option = add_option_function<std::vector<std::string>>(names, read_values, help);
+    return option->type_name(value)->allow_extra_args(false)->group(group_);
+  }
   CLI::Option* text_option(const std::string& names, const char* value, std::string& target,
                            const std::string& help);
   CLI::Option* flag(const std::string& names, bool& target, const std::string& help);
   CLI::Option* scene_argument(std::string& target);
+  CLI::Option* scene_arguments(std::vector<std::string>& targets);
 
   // The heading in the help under which the options from now on stand.
   void begin_group(std::string heading) { group_ = std::move(heading); }
 
  private:
   static std::string last_name(const std::string& names);
-  ExitCode complain(const std::string& message) const;
   std::string unknown_words() const;
 
   std::string group_ = "Options";

@@ -6,6 +6,11 @@ namespace alhazen {
 namespace {
 
 constexpr Verb kVerbs[] = {
+    {"render", "render a scene to an EXR file", run_render},
+    {"check", "find every mistake in a scene without rendering it", run_check},
+    {"fmt", "rewrite scenes in the canonical layout", run_fmt},
+    {"explain", "say what a scene asks of the renderer, and which lines ask for it", run_explain},
+    {"dump", "print what the program makes of a scene, step by step", run_dump},
     {"help", "say what a verb does and which options it has", run_help},
     {"version", "print the versions of the program and its libraries", run_version},
 };

@@ -12,6 +12,11 @@ namespace alhazen {
 
 using Arguments = std::vector<std::string>;
 
+ExitCode run_render(const Arguments& arguments);
+ExitCode run_check(const Arguments& arguments);
+ExitCode run_fmt(const Arguments& arguments);
+ExitCode run_explain(const Arguments& arguments);
+ExitCode run_dump(const Arguments& arguments);
 ExitCode run_help(const Arguments& arguments);
 ExitCode run_version(const Arguments& arguments);
 

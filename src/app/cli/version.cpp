@@ -7,6 +7,9 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/streams.h"
+#include "core/base/library_version.h"
+#include "render/color/library_versions.h"
+#include "render/image/library_versions.h"
 
 namespace alhazen {
 
@@ -28,6 +31,9 @@ std::vector<LibraryVersion> all_libraries() {
                    NLOHMANN_JSON_VERSION_PATCH),
        ""},
   };
+  for (const auto& more : {render::image_library_versions(), render::color_library_versions()}) {
+    libraries.insert(libraries.end(), more.begin(), more.end());
+  }
   return libraries;
 }
 

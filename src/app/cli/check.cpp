@@ -1,0 +1,53 @@
+// app/cli: alhazen check: every mistake in a scene, for people and for editors.
+#include <fmt/format.h>
+
+#include "app/cli/scene_options.h"
+#include "app/cli/streams.h"
+#include "core/diag/render_text.h"
+
+namespace alhazen {
+namespace {
+
+enum class Format { text, json };
+
+Result<Format> to_format(const std::string& text) {
+  if (text == "text") return Format::text;
+  if (text == "json") return Format::json;
+  return Error{ErrorCode::usage, fmt::format("expected text or json, found `{}`", text)};
+}
+
+ExitCode check_as_json(const SceneOptions& options) {
+  const auto eval = eval_options(options);
+  if (!eval) return report(eval.error());
+  LoadedScene loaded;
+  loaded.evaluation =
+      parser::evaluate_file(options.scene, loaded.sources, loaded.sink, eval.value());
+  const ExitCode written = print(render_json(loaded.sink, loaded.sources));
+  if (written != ExitCode::done || loaded.evaluation.scene) return written;
+  return exit_code(loaded.sink.code());
+}
+
+}  // namespace
+
+ExitCode run_check(const Arguments& arguments) {
+  CommandLine line("check",
+                   "Reads a scene, evaluates it and reports every mistake, without rendering.",
+                   "  alhazen check scene.scn\n"
+                   "  alhazen check scene.scn --format json | jq .diagnostics\n");
+  SceneOptions options;
+  Format format = Format::text;
+  add_scene_options(line, options);
+  line.value_option("--format", "FORMAT", format, to_format,
+                    "text on stderr [default], or json on stdout");
+  if (const auto code = line.read(arguments)) return *code;
+  if (format == Format::json) return check_as_json(options);
+
+  LoadedScene loaded;
+  if (const auto code = load_scene(options, loaded)) return *code;
+  const Scene& scene = *loaded.evaluation.scene;
+  write_stderr(fmt::format("{}: no mistakes: {} shapes, {} lights, {} materials\n", options.scene,
+                           scene.shapes.size(), scene.lights.size(), scene.materials.size()));
+  return ExitCode::done;
+}
+
+}  // namespace alhazen

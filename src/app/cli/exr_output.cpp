@@ -1,0 +1,130 @@
+#include "app/cli/exr_output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <span>
+
+#include "app/cli/camera_matrices.h"
+#include "app/cli/version.h"
+
+namespace alhazen {
+namespace {
+
+constexpr int kCryptomatteRanks = 6;  // the specification's usual number
+
+// One plane of interleaved samples that becomes channels.
+struct Plane {
+  std::vector<std::string> channels;
+  std::span<const float> samples;
+};
+
+std::vector<Plane> data_planes(const render::Picture& picture) {
+  std::vector<Plane> planes = {{{"Z"}, picture.depth},
+                               {{"N.X", "N.Y", "N.Z"}, picture.normal},
+                               {{"P.X", "P.Y", "P.Z"}, picture.position},
+                               {{"uv.U", "uv.V"}, picture.uv},
+                               {{"albedo.R", "albedo.G", "albedo.B"}, picture.albedo},
+                               {{"samples.V"}, picture.samples},
+                               {{"cost.V"}, picture.cost}};
+  std::erase_if(planes, [](const Plane& plane) { return plane.samples.empty(); });
+  return planes;
+}
+
+render::FloatBuffer data_buffer(const render::Picture& picture) {
+  const std::vector<Plane> planes = data_planes(picture);
+  if (planes.empty()) return {};
+  std::vector<std::string> names;
+  for (const Plane& plane : planes) {
+    names.insert(names.end(), plane.channels.begin(), plane.channels.end());
+  }
+  render::FloatBuffer buffer(picture.window.width, picture.window.height, std::move(names));
+  std::size_t channel = 0;
+  for (const Plane& plane : planes) {
+    const std::size_t stride = plane.channels.size();
+    for (std::size_t c = 0; c < stride; ++c, ++channel) {
+      const std::span<float> out = buffer.channel(channel);
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        const float sample = plane.samples[i * stride + c];
+        const bool nothing = plane.channels[c] == "Z" && std::isinf(sample);
+        out[i] = nothing ? render::kBackgroundDepth : sample;
+      }
+    }
+  }
+  return buffer;
+}
+
+render::FloatBuffer beauty_buffer(const render::Picture& picture) {
+  render::FloatBuffer buffer(picture.window.width, picture.window.height, {"R", "G", "B", "A"});
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::span<float> out = buffer.channel(c);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = static_cast<float>(picture.rgb[3 * i + c]);
+  }
+  std::ranges::copy(picture.alpha, buffer.channel(3).begin());
+  return buffer;
+}
+
+// Objects that share a name are one object to whoever composites.
+render::CryptomatteLayer cryptomatte(std::string layer_name, const std::vector<std::string>& names,
+                                     const std::vector<std::vector<render::Coverage>>& pixels,
+                                     const render::PixelRect& window) {
+  std::vector<std::uint32_t> hashes;
+  for (const std::string& name : names)
+    hashes.push_back(render::cryptomatte_hash(name));
+  render::CryptomatteLayer layer(std::move(layer_name), window.width, window.height,
+                                 kCryptomatteRanks, names);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    std::map<std::uint32_t, float> shares;
+    for (const render::Coverage& coverage : pixels[i])
+      shares[hashes[coverage.id]] += coverage.share;
+    std::vector<render::IdCoverage> ids;
+    for (const auto& [hash, share] : shares)
+      ids.push_back({hash, share});
+    const int pixel = static_cast<int>(i);
+    layer.set_pixel(pixel % window.width, pixel / window.width, std::move(ids));
+  }
+  return layer;
+}
+
+template <class Record>
+std::vector<std::string> names_of(const std::vector<Record>& records, const char* kind) {
+  std::vector<std::string> names;
+  for (const Record& record : records) {
+    names.push_back(record.name.empty() ? fmt::format("{} {}", kind, names.size() + 1)
+                                        : record.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+render::ExrFile exr_file(const Scene& scene, const render::Picture& picture,
+                         const RenderRequest& request, const render::ColorConfig& colors,
+                         const Provenance& provenance) {
+  const render::PixelRect& window = picture.window;
+  render::ExrFile file;
+  file.display_window = {0, 0, scene.settings.width, scene.settings.height};
+  file.data_window = {window.x, window.y, window.width, window.height};
+  file.beauty = beauty_buffer(picture);
+  file.beauty_type = request.beauty == SamplePrecision::half ? render::SampleType::half
+                                                             : render::SampleType::float32;
+  file.data = data_buffer(picture);
+  if (!picture.objects.empty()) {
+    file.cryptomattes.push_back(
+        cryptomatte("CryptoObject", names_of(scene.shapes, "shape"), picture.objects, window));
+  }
+  if (!picture.materials.empty()) {
+    file.cryptomattes.push_back(cryptomatte("CryptoMaterial", names_of(scene.materials, "material"),
+                                            picture.materials, window));
+  }
+  file.metadata.chromaticities = colors.working_chromaticities();
+  file.metadata.camera_from_world = camera_from_world(scene.camera.frame);
+  file.metadata.ndc_from_world = ndc_from_world(scene.camera, scene.settings);
+  file.metadata.software = "Alhazen " + program_version();
+  file.metadata.provenance = provenance;
+  return file;
+}
+
+}  // namespace alhazen

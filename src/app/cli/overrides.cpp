@@ -1,0 +1,75 @@
+#include "app/cli/overrides.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace alhazen {
+
+void apply_overrides(const SettingOverrides& overrides, RenderSettings& settings) {
+  if (overrides.size) {
+    settings.width = overrides.size->width;
+    settings.height = overrides.size->height;
+  }
+  if (overrides.samples) settings.samples = *overrides.samples;
+  if (overrides.max_depth) settings.max_depth = *overrides.max_depth;
+  if (overrides.cutoff) settings.cutoff = *overrides.cutoff;
+  if (overrides.filter) settings.filter = *overrides.filter;
+  if (overrides.seed) settings.seed = *overrides.seed;
+  if (!overrides.adaptive_threshold) return;
+  if (*overrides.adaptive_threshold == 0) {
+    settings.adaptive.reset();
+    return;
+  }
+  AdaptiveSampling adaptive = settings.adaptive.value_or(AdaptiveSampling{});
+  adaptive.threshold = *overrides.adaptive_threshold;
+  settings.adaptive = adaptive;
+}
+
+Result<render::PixelRect> picture_window(const RenderRequest& request,
+                                         const RenderSettings& settings) {
+  const render::PixelRect frame{0, 0, settings.width, settings.height};
+  if (!request.crop) return frame;
+  const render::PixelRect& crop = *request.crop;
+  // Sides are at most kMaxSide: the sums cannot overflow.
+  if (crop.x + crop.width > frame.width || crop.y + crop.height > frame.height) {
+    return Error{ErrorCode::usage,
+                 fmt::format("--crop {},{},{},{} reaches beyond the frame of {}x{} pixels", crop.x,
+                             crop.y, crop.width, crop.height, frame.width, frame.height)};
+  }
+  return crop;
+}
+
+std::uint64_t picture_bytes(const render::PixelRect& window, const render::AovRequest& aovs) {
+  // The film's sums in double, the picture in double, its float planes, the file and its copy on
+  // the way through compression.
+  std::uint64_t bytes_per_pixel = 4 * 8 + 4 * 8 + 4 * 4 + 2 * 4 * 4;
+  // Each data channel: the plane, the plane of the file, the file.
+  const std::uint64_t channel = 3 * 4;
+  bytes_per_pixel += channel * (aovs.depth + 3 * aovs.normal + 3 * aovs.position + 2 * aovs.uv +
+                                3 * aovs.albedo + aovs.samples + aovs.cost);
+  // Cryptomatte: six ranks of id and coverage, and the list that they come from.
+  bytes_per_pixel += (12 * channel + 64) * (aovs.object_ids + aovs.material_ids);
+  return static_cast<std::uint64_t>(window.width) * static_cast<std::uint64_t>(window.height) *
+         bytes_per_pixel;
+}
+
+Status check_memory(const render::PixelRect& window, const render::AovRequest& aovs,
+                    std::uint64_t memory_bytes) {
+  const std::uint64_t bytes = picture_bytes(window, aovs);
+  if (bytes <= memory_bytes / 4 * 3) return Unit{};
+  const double gib = 1024.0 * 1024.0 * 1024.0;
+  return Error{ErrorCode::limit,
+               fmt::format("a picture of {}x{} pixels takes about {:.1f} GiB of memory, and this "
+                           "machine has {:.1f} GiB; render it in pieces with --crop, or smaller "
+                           "with --size",
+                           window.width, window.height, static_cast<double>(bytes) / gib,
+                           static_cast<double>(memory_bytes) / gib)};
+}
+
+std::uint64_t physical_memory_bytes() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || page <= 0) return std::uint64_t{4} << 30;
+  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
+}
+
+}  // namespace alhazen

@@ -1,0 +1,183 @@
+#include "app/cli/render_values.h"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <span>
+
+#include "app/cli/arguments.h"
+#include "core/base/near_name.h"
+#include "render/film/filter.h"
+
+namespace alhazen {
+namespace {
+
+template <class T>
+struct Named {
+  std::string_view name;
+  T value;
+};
+
+constexpr Named<FilterKind> kFilters[] = {{"box", FilterKind::box},
+                                          {"tent", FilterKind::tent},
+                                          {"gaussian", FilterKind::gaussian},
+                                          {"mitchell", FilterKind::mitchell}};
+constexpr Named<render::Precision> kPrecisions[] = {{"float", render::Precision::float32},
+                                                    {"double", render::Precision::float64},
+                                                    {"quad", render::Precision::quad}};
+constexpr Named<ProgressStyle> kProgressStyles[] = {{"auto", ProgressStyle::automatic},
+                                                    {"bar", ProgressStyle::bar},
+                                                    {"plain", ProgressStyle::plain},
+                                                    {"json", ProgressStyle::json},
+                                                    {"none", ProgressStyle::none}};
+constexpr Named<bool render::AovRequest::*> kAovs[] = {
+    {"depth", &render::AovRequest::depth},
+    {"normal", &render::AovRequest::normal},
+    {"position", &render::AovRequest::position},
+    {"uv", &render::AovRequest::uv},
+    {"albedo", &render::AovRequest::albedo},
+    {"object", &render::AovRequest::object_ids},
+    {"material", &render::AovRequest::material_ids},
+    {"samples", &render::AovRequest::samples},
+    {"cost", &render::AovRequest::cost}};
+
+template <class T, std::size_t size>
+Result<T> look_up(std::string_view word, const Named<T> (&table)[size]) {
+  std::vector<std::string_view> names;
+  for (const Named<T>& entry : table) {
+    if (entry.name == word) return entry.value;
+    names.push_back(entry.name);
+  }
+  const auto near = near_name(word, names);
+  return Error{ErrorCode::usage,
+               fmt::format("expected one of {}, found `{}`{}", fmt::join(names, ", "), word,
+                           near ? fmt::format("; did you mean `{}`?", *near) : "")};
+}
+
+template <class T, std::size_t size>
+std::string_view name_in(T value, const Named<T> (&table)[size]) {
+  for (const Named<T>& entry : table) {
+    if (entry.value == value) return entry.name;
+  }
+  return "";
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+// Whole numbers separated by `separator`: exactly `count` of them, each in [low, high].
+std::optional<std::vector<int>> to_wholes(const std::string& text, char separator,
+                                          std::size_t count, int low, int high) {
+  std::vector<int> numbers;
+  for (const std::string& part : split(text, separator)) {
+    const Result<std::int64_t> number = to_whole(part, low, high);
+    if (!number) return std::nullopt;
+    numbers.push_back(static_cast<int>(number.value()));
+  }
+  if (numbers.size() != count) return std::nullopt;
+  return numbers;
+}
+
+bool is_name(std::string_view text) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  if (text.empty() || !letter(text.front())) return false;
+  return text.find_first_not_of(
+             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") ==
+         std::string_view::npos;
+}
+
+}  // namespace
+
+Result<PictureSize> to_size(const std::string& text) {
+  const auto sides = to_wholes(text, 'x', 2, 1, kMaxSide);
+  if (!sides) {
+    return Error{ErrorCode::usage,
+                 fmt::format("expected WIDTHxHEIGHT in pixels, as in 1920x1080, each from 1 to {}, "
+                             "found `{}`",
+                             kMaxSide, text)};
+  }
+  return PictureSize{(*sides)[0], (*sides)[1]};
+}
+
+Result<render::PixelRect> to_crop(const std::string& text) {
+  const auto numbers = to_wholes(text, ',', 4, 0, kMaxSide);
+  if (!numbers || (*numbers)[2] == 0 || (*numbers)[3] == 0) {
+    return Error{ErrorCode::usage,
+                 fmt::format("expected X,Y,WIDTH,HEIGHT in pixels from the upper left corner, as "
+                             "in 0,0,320,180, found `{}`",
+                             text)};
+  }
+  return render::PixelRect{(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
+}
+
+Result<parser::Define> to_define(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals + 1 == text.size() ||
+      !is_name(text.substr(0, equals))) {
+    return Error{ErrorCode::usage,
+                 fmt::format("expected NAME=VALUE, as in ball_ior=1.33, found `{}`", text)};
+  }
+  return parser::Define{text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Result<ReconstructionFilter> to_filter(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const Result<FilterKind> kind = look_up(std::string_view(text).substr(0, colon), kFilters);
+  if (!kind) return kind.error();
+  ReconstructionFilter filter{kind.value(), render::usual_radius(kind.value())};
+  if (colon == std::string::npos) return filter;
+  const Result<double> radius = to_number(text.substr(colon + 1), 0.5, 16);
+  if (!radius) return Error{ErrorCode::usage, "radius in pixels: " + radius.error().message};
+  filter.radius = radius.value();
+  return filter;
+}
+
+Result<render::Precision> to_precision(const std::string& text) {
+  return look_up<render::Precision>(text, kPrecisions);
+}
+
+Result<ProgressStyle> to_progress_style(const std::string& text) {
+  return look_up<ProgressStyle>(text, kProgressStyles);
+}
+
+Result<render::AovRequest> to_aovs(const std::string& text) {
+  render::AovRequest aovs;
+  if (text == "none") return aovs;
+  for (const std::string& word : split(text, ',')) {
+    if (word == "all") {
+      for (const auto& aov : kAovs)
+        aovs.*aov.value = true;
+      continue;
+    }
+    const Result<bool render::AovRequest::*> member = look_up(word, kAovs);
+    if (!member) return member.error();
+    aovs.*member.value() = true;
+  }
+  return aovs;
+}
+
+std::vector<std::string> aov_names(const render::AovRequest& aovs) {
+  std::vector<std::string> names;
+  for (const auto& aov : kAovs) {
+    if (aovs.*aov.value) names.emplace_back(aov.name);
+  }
+  return names;
+}
+
+std::string_view name(render::Precision precision) {
+  return name_in(precision, kPrecisions);
+}
+std::string_view name(FilterKind kind) {
+  return name_in(kind, kFilters);
+}
+
+}  // namespace alhazen

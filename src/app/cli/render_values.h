@@ -1,0 +1,32 @@
+// app/cli: the values of render's options: text to data. Every error has ErrorCode::usage and says
+// what was expected and what was found.
+#pragma once
+
+#include <string>
+
+#include "app/cli/render_request.h"
+#include "core/base/result.h"
+
+namespace alhazen {
+
+// No side of a picture may be longer; far beyond any screen, and products of two such sides fit
+// into 64 bits with room to spare.
+inline constexpr int kMaxSide = 1 << 20;
+inline constexpr int kMaxSamples = 1 << 20;
+inline constexpr int kMaxDepth = 10'000;
+inline constexpr int kMaxThreads = 4096;
+
+Result<PictureSize> to_size(const std::string& text);              // 1920x1080
+Result<render::PixelRect> to_crop(const std::string& text);        // X,Y,W,H
+Result<parser::Define> to_define(const std::string& text);         // name=value
+Result<ReconstructionFilter> to_filter(const std::string& text);   // gaussian, gaussian:1.5
+Result<render::Precision> to_precision(const std::string& text);   // float, double, quad
+Result<render::AovRequest> to_aovs(const std::string& text);       // depth,normal or all or none
+Result<ProgressStyle> to_progress_style(const std::string& text);  // auto, bar, plain, json, none
+
+// The names to_aovs knows of those that are asked for, in its order.
+std::vector<std::string> aov_names(const render::AovRequest& aovs);
+std::string_view name(render::Precision precision);
+std::string_view name(FilterKind kind);
+
+}  // namespace alhazen
