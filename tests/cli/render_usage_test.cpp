@@ -1,0 +1,64 @@
+// tests/cli: render's command line: what cannot be is refused before a ray is traced, in words.
+#include <gmock/gmock.h>
+
+#include "cli/program.h"
+
+namespace alhazen::cli_test {
+namespace {
+
+using testing::HasSubstr;
+
+struct Case {
+  const char* name;
+  std::vector<std::string> words;
+  int code;
+  const char* says;
+};
+
+class RenderUsage : public ProgramTest, public testing::WithParamInterface<Case> {};
+
+TEST_P(RenderUsage, GivesItsCodeAndSaysWhy) {
+  write("s.scn", kSmallScene);
+  std::vector<std::string> words = {"render", "s.scn"};
+  words.insert(words.end(), GetParam().words.begin(), GetParam().words.end());
+  const Outcome outcome = run(words);
+  EXPECT_EQ(outcome.code, GetParam().code) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(GetParam().says));
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(entries(), testing::ElementsAre("s.scn"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, RenderUsage,
+    testing::Values(
+        Case{"unknown_option", {"--sampels", "4"}, 2, "did you mean `--samples`?"},
+        Case{"second_scene", {"t.scn"}, 2, "one word too many: `t.scn`"},
+        Case{"missing_value", {"--size"}, 2, "--size"},
+        Case{"zero_size", {"--size", "0x10"}, 2, "WIDTHxHEIGHT"},
+        Case{"absurd_size", {"--size", "99999999x99999999"}, 2, "WIDTHxHEIGHT"},
+        Case{"size_over_memory", {"--size", "1048576x1048576"}, 4, "GiB"},
+        Case{"crop_outside", {"--crop", "40,0,10,10"}, 2, "reaches beyond the frame of 48x32"},
+        Case{"crop_empty", {"--crop", "0,0,0,10"}, 2, "X,Y,WIDTH,HEIGHT"},
+        Case{"zero_samples", {"--samples", "0"}, 2, "whole number from 1"},
+        Case{"samples_in_words", {"--samples", "many"}, 2, "found `many`"},
+        Case{"negative_depth", {"--max-depth", "-1"}, 2, "--max-depth"},
+        Case{"cutoff_nan", {"--cutoff", "nan"}, 2, "--cutoff"},
+        Case{"unknown_precision", {"--precision", "dubble"}, 2, "did you mean `double`?"},
+        Case{"unknown_aov", {"--aov", "depht"}, 2, "did you mean `depth`?"},
+        Case{"unknown_filter", {"--filter", "sinc"}, 2, "box, tent, gaussian, mitchell"},
+        Case{"half_and_float", {"--half", "--float"}, 2, "--half"},
+        Case{"colon_frames", {"--frames", "1-10:2"}, 2, "interleaving"},
+        Case{"frames_without_place", {"--frames", "1-2", "-o", "a.exr"}, 2, "no place"},
+        Case{"frames_to_stdout", {"--frames", "1-2", "-o", "-"}, 2, "stdout"},
+        Case{"frame_defined_twice", {"--frames", "1-2", "-D", "frame=3"}, 2, "--frames"},
+        Case{"two_things_on_stdout", {"-o", "-", "--stats", "-"}, 2, "stdout"},
+        Case{"output_in_no_folder", {"-o", "no/such/folder/a.exr"}, 3, "no/such/folder/a.exr"},
+        Case{"output_is_a_folder", {"-o", "/"}, 3, "cannot write"},
+        Case{"preview_in_no_folder", {"--preview", "no/a.png"}, 3, "no/a.png"},
+        Case{"missing_colors", {"--ocio", "no.ocio"}, 3, "no.ocio"},
+        Case{"unknown_display", {"--preview", "a.png", "--display", "Screen"}, 2, "Screen"},
+        Case{"unknown_view", {"--preview", "a.png", "--view", "Nice"}, 2, "Nice"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace alhazen::cli_test
