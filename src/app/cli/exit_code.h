@@ -25,6 +25,8 @@ constexpr ExitCode exit_code(ErrorCode code) {
       return ExitCode::io;
     case ErrorCode::limit:
       return ExitCode::limit;
+    case ErrorCode::stopped:
+      return ExitCode::stopped;
   }
   return ExitCode::usage;
 }
