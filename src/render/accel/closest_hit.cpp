@@ -13,7 +13,7 @@ bool is_ahead(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source&
       return crossing.enters == (touched.side == Side::kAbove);
     }
   }
-  const Vec3<Real> normal = table.surface(id, ray, crossing).normal;
+  const Vec3<Real> normal = table.plain_surface(id, ray, crossing).normal;
   return crossing.enters == (dot(Vec3<Real>(source.arrival), normal) < Real(0));
 }
 

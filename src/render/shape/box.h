@@ -39,7 +39,7 @@ inline Crossings<Real> crossings(const Box<Real>& box, const Ray<Real>& ray, Dep
   return goes_below(from, from.face % 2 == 0 ? -d : d) ? exit_of(span) : Crossings<Real>();
 }
 
-template <class Real>
+template <bool with_coordinates = true, class Real>
 inline Surface<Real> surface(const Box<Real>& box, const Ray<Real>& ray,
                              const Crossing<Real>& crossing) {
   const int axis = crossing.face / 2;

@@ -115,7 +115,7 @@ struct Surface {
   Vec3<Real> position;        // projected onto the surface: independent of the error in t
   Vec3<Real> normal;          // geometric, outward, unit length
   Vec3<Real> shading_normal;  // unit length, never below the surface
-  Real u, v;                  // the shape's own parametrisation
+  Real u, v;                  // the shape's own parametrisation; 0 where they were not asked for
 };
 
 }  // namespace alhazen::render

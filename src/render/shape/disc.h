@@ -30,15 +30,16 @@ inline Crossings<Real> crossings(const Disc<Real>& disc, const Ray<Real>& ray, D
   return result;
 }
 
-template <class Real>
+template <bool with_coordinates = true, class Real>
 inline Surface<Real> surface(const Disc<Real>& disc, const Ray<Real>& ray,
                              const Crossing<Real>& crossing) {
   Vec3<Real> local = disc.frame.local_point(ray.at(crossing.t));
   local.z = Real(0);
   const Vec3<Real> n = disc.frame.z;
+  const Vec3<Real> position = disc.frame.point(local);
+  if constexpr (!with_coordinates) return {position, n, n, Real(0), Real(0)};
   const Real across = (length(local) - disc.hole_radius) / (disc.radius - disc.hole_radius);
-  return {disc.frame.point(local), n, n, turn_of(local.x, local.y),
-          smaller(larger(across, Real(0)), Real(1))};
+  return {position, n, n, turn_of(local.x, local.y), smaller(larger(across, Real(0)), Real(1))};
 }
 
 }  // namespace alhazen::render

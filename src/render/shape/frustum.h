@@ -147,15 +147,15 @@ inline Crossings<Real> crossings(const Frustum<Real>& shape, const Ray<Real>& ra
   return shape.capped ? result : on_side(result);
 }
 
-template <class Real>
+template <bool with_coordinates = true, class Real>
 inline Surface<Real> surface(const Frustum<Real>& shape, const Ray<Real>& ray,
                              const Crossing<Real>& crossing) {
   using namespace frustum;
   Vec3<Real> local = shape.frame.local_point(ray.at(crossing.t)), n;
   local.z = smaller(larger(local.z, Real(0)), shape.height);
   const Real from_axis = square_root(fused_multiply_add(local.x, local.x, local.y * local.y));
-  const Real u = turn_of(local.x, local.y);
-  Real v;
+  Real u{}, v;
+  if constexpr (with_coordinates) u = turn_of(local.x, local.y);
   if (crossing.face == kSide) {
     const Real rho = shape.radius_at(local.z);
     const Real cosine = from_axis > Real(0) ? local.x / from_axis : Real(0);

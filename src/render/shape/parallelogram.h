@@ -49,7 +49,7 @@ inline Crossings<Real> crossings(const Parallelogram<Real>& quad, const Ray<Real
   return result;
 }
 
-template <class Real>
+template <bool with_coordinates = true, class Real>
 inline Surface<Real> surface(const Parallelogram<Real>& quad, const Ray<Real>& ray,
                              const Crossing<Real>& /*crossing*/) {
   const ParallelogramHit<Real> hit = hit_halves(quad, ray);

@@ -28,7 +28,7 @@ inline Crossings<Real> crossings(const Plane<Real>& plane, const Ray<Real>& ray,
   return result;
 }
 
-template <class Real>
+template <bool with_coordinates = true, class Real>
 inline Surface<Real> surface(const Plane<Real>& plane, const Ray<Real>& ray,
                              const Crossing<Real>& crossing) {
   const Vec3<Real> near_plane = ray.at(crossing.t), n = plane.normal;

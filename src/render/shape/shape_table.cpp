@@ -134,9 +134,24 @@ Crossings<Real> ShapeTable<Real>::crossings(ShapeId id, const Ray<Real>& ray,
 template <class Real>
 SurfacePoint<Real> ShapeTable<Real>::surface(ShapeId id, const Ray<Real>& ray,
                                              const Crossing<Real>& crossing) const {
+  return find_surface<true>(id, ray, crossing);
+}
+
+template <class Real>
+SurfacePoint<Real> ShapeTable<Real>::plain_surface(ShapeId id, const Ray<Real>& ray,
+                                                   const Crossing<Real>& crossing) const {
+  return find_surface<false>(id, ray, crossing);
+}
+
+template <class Real>
+template <bool with_coordinates>
+SurfacePoint<Real> ShapeTable<Real>::find_surface(ShapeId id, const Ray<Real>& ray,
+                                                  const Crossing<Real>& crossing) const {
   const Entry& entry = entries_[id];
   const auto on_kernel = [&](const Ray<Real>& own) {
-    return visit(entry, [&](const auto& kernel) { return render::surface(kernel, own, crossing); });
+    return visit(entry, [&](const auto& kernel) {
+      return render::surface<with_coordinates>(kernel, own, crossing);
+    });
   };
   if (entry.placement == kNoId) {
     const Surface<Real> point = on_kernel(ray);

@@ -43,6 +43,9 @@ class ShapeTable {
   Crossings<Real> crossings(ShapeId id, const Ray<Real>& ray, Departure from) const;
   SurfacePoint<Real> surface(ShapeId id, const Ray<Real>& ray,
                              const Crossing<Real>& crossing) const;
+  // The same without u and v, whose arcs can cost more than all the rest.
+  SurfacePoint<Real> plain_surface(ShapeId id, const Ray<Real>& ray,
+                                   const Crossing<Real>& crossing) const;
   // Whether the point is inside of a closed shape; on the surface it is not. Open shapes contain
   // nothing.
   bool contains(ShapeId id, Vec3<Real> point) const;
@@ -60,6 +63,9 @@ class ShapeTable {
   };
 
   class Builder;
+  template <bool with_coordinates>
+  SurfacePoint<Real> find_surface(ShapeId id, const Ray<Real>& ray,
+                                  const Crossing<Real>& crossing) const;
   template <class Visitor>
   auto visit(const Entry& entry, const Visitor& visitor) const;
 

@@ -59,14 +59,15 @@ inline Crossings<Real> crossings(const Sphere<Real>& sphere, const Ray<Real>& ra
   return ends_of(span);
 }
 
-template <class Real>
+template <bool with_coordinates = true, class Real>
 inline Surface<Real> surface(const Sphere<Real>& sphere, const Ray<Real>& ray,
                              const Crossing<Real>& crossing) {
   const Vec3<Real> n =
       normalized(multiply_add(crossing.t, ray.direction, ray.origin - sphere.center));
+  const Vec3<Real> position = multiply_add(sphere.radius, n, sphere.center);
+  if constexpr (!with_coordinates) return {position, n, n, Real(0), Real(0)};
   const Real around = square_root(fused_multiply_add(n.x, n.x, n.z * n.z));
-  return {multiply_add(sphere.radius, n, sphere.center), n, n, turn_of(n.x, n.z),
-          2 * atan2_turns(around, -n.y)};
+  return {position, n, n, turn_of(n.x, n.z), 2 * atan2_turns(around, -n.y)};
 }
 
 template <class Real>

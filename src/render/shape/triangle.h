@@ -117,7 +117,7 @@ inline Vec3<Real> weighted(const std::array<Real, 3>& weights,
                       multiply_add(weights[1], values[1], weights[2] * values[2]));
 }
 
-template <class Real>
+template <bool with_coordinates = true, class Real>
 inline Surface<Real> surface(const Triangle<Real>& triangle, const Ray<Real>& ray,
                              const Crossing<Real>& /*crossing*/) {
   const auto& [a, b, c] = triangle.corners;

@@ -54,8 +54,11 @@ void find_surfaces(Wave<Real>& wave) {
   if constexpr (with_coordinates) hits.texture_point.resize(hits.size());
   for (std::size_t h = 0; h < hits.size(); ++h) {
     const Hit<Real>& hit = hits.hit[h];
-    const SurfacePoint<Real> point =
-        wave.world.shapes.surface(hit.shape, wave.rays.ray(hits.ray[h]), hit.crossing());
+    const Ray<Real> ray = wave.rays.ray(hits.ray[h]);
+    const ShapeTable<Real>& shapes = wave.world.shapes;
+    const SurfacePoint<Real> point = with_coordinates
+                                         ? shapes.surface(hit.shape, ray, hit.crossing())
+                                         : shapes.plain_surface(hit.shape, ray, hit.crossing());
     hits.position[h] = point.position;
     hits.geometric_normal[h] = point.normal;
     hits.shading_normal[h] = hit.enters ? point.shading_normal : -point.shading_normal;

@@ -66,7 +66,7 @@ Rgb<Real> follow_to_light(Wave<Real>& wave, std::size_t i) {
     if (world.materials[material].kind != SurfaceKind::glass) return Rgb<Real>{};
     const Passage<Real> passage = cross_surface(world, wave.media, medium, material, hit->enters);
     if (passage.is_interface) {
-      const SurfacePoint<Real> point = world.shapes.surface(hit->shape, ray, hit->crossing());
+      const SurfacePoint<Real> point = world.shapes.plain_surface(hit->shape, ray, hit->crossing());
       share = straight_transmission(passage, absolute(dot(ray.direction, point.normal))) * share;
     }
     medium = passage.behind;
