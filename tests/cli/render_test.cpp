@@ -128,7 +128,8 @@ TEST_F(Render, FramesAreGivenToTheScene) {
 }
 
 TEST_F(Render, FramesOfASceneThatDoesNotMoveAreAnError) {
-  write("still.scn", "#scn 1\nsphere { radius 1 }\n");
+  write("still.scn",
+        "#scn 1\ncamera perspective { position <0, 0, -6>  look_at <0, 0, 0>  fov 40deg }\n");
   const Outcome outcome = run({"render", "still.scn", "--frames", "1-3"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("frame"));

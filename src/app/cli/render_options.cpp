@@ -60,9 +60,8 @@ void add_output_options(CommandLine& line, RenderRequest& request, bool& as_half
   line.value_option("--aov", "LIST", request.aovs, to_aovs,
                     "data channels: depth, normal, position, uv, albedo, object, material\n"
                     "(Cryptomatte), samples, cost; with commas between, or all");
-  CLI::Option* half =
-      line.flag("--half", as_half, "store the picture in 16 bits a channel [default]");
-  line.flag("--float", as_float, "store it in 32 bits a channel")->excludes(half);
+  line.flag("--half", as_half, "store the picture in 16 bits a channel [default]");
+  line.flag("--float", as_float, "store it in 32 bits a channel");
 }
 
 void add_picture_options(CommandLine& line, RenderRequest& request, bool& outside) {
@@ -80,7 +79,7 @@ void add_picture_options(CommandLine& line, RenderRequest& request, bool& outsid
                     "frames as 1-100, 1-100x5 or 1-3,7; each is given to the scene's\n"
                     "`param frame`, and -o needs a place for it: a.####.exr or a.%04d.exr");
   line.flag("--skip-existing", request.skip_existing,
-            "leave out pictures that are there, whole, and of the same scene and options");
+            "leave out pictures that are there, whole, and made by the same");
 }
 
 void add_quality_options(CommandLine& line, RenderRequest& request) {
@@ -115,7 +114,7 @@ void add_run_options(CommandLine& line, RenderRequest& request) {
   line.value_option("--threads", "N", request.threads, whole(1, kMaxThreads),
                     "[one a core]; the picture is the same for any number");
   line.value_option("--progress", "STYLE", request.progress, to_progress_style,
-                    "on stderr: bar, plain, json, none or auto [a bar on a terminal, or plain]");
+                    "on stderr: bar, plain, json, none, or auto [bar on a terminal]");
   line.text_option("--stats", "FILE", request.statistics,
                    "rays, stages, times and memory as JSON; - for stdout;\n"
                    "a list of them for several frames");
@@ -164,6 +163,7 @@ std::optional<ExitCode> read_render_options(const Arguments& arguments, RenderRe
   add_run_options(line, request);
   if (const auto code = line.read(arguments)) return code;
 
+  if (as_half && as_float) return line.complain("--half and --float exclude each other");
   if (as_float) request.beauty = SamplePrecision::float32;
   if (outside) request.files = parser::FileAccess::anywhere;
   if (request.output.empty()) request.output = default_output(request);
