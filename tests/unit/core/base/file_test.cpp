@@ -1,8 +1,7 @@
 #include "core/base/file.h"
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
+#include <gtest/gtest.h>
 
 namespace alhazen {
 namespace {
