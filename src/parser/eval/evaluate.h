@@ -24,7 +24,7 @@ struct Define {
 struct EvalLimits {
   std::uint64_t fuel = 50'000'000;  // one unit for each expression, item and turn of a loop
   int call_depth = 200;
-  int nesting = 1500;  // of evaluations within each other: bounds the machine's stack
+  int nesting = 1000;  // of evaluations within each other: bounds the machine's stack
   int include_depth = 16;
   std::uint64_t source_bytes = 64ULL << 20;  // of all texts together
   std::uint64_t string_bytes = 64ULL << 20;
