@@ -59,6 +59,16 @@ inline PixelPair<Real> pixel_pair(Real unit, int count, ImageWrap wrap) {
   return {neighbour(first, count, wrap), neighbour(first + 1, count, wrap), position - below};
 }
 
+template <class Real>
+inline Rgb<Real> bilinear(const ImageView& image, const PixelPair<Real>& columns,
+                          const PixelPair<Real>& rows) {
+  const auto row_color = [&](int row) {
+    return (1 - columns.weight) * image_pixel<Real>(image, columns.first, row) +
+           columns.weight * image_pixel<Real>(image, columns.second, row);
+  };
+  return (1 - rows.weight) * row_color(rows.first) + rows.weight * row_color(rows.second);
+}
+
 // Colour at (x, y) with the picture on [0,1]^2, its first row at y = 1. Bilinear between pixel
 // centres, or of the pixel that holds the point.
 template <class Real>
@@ -71,13 +81,8 @@ inline Rgb<Real> image_color(const ImageView& image, Real x, Real y, ImageWrap w
     return image_pixel<Real>(image, neighbour(column, image.width, wrap),
                              neighbour(row, image.height, wrap));
   }
-  const PixelPair<Real> columns = pixel_pair(across, image.width, wrap);
-  const PixelPair<Real> rows = pixel_pair(down, image.height, wrap);
-  const auto row_color = [&](int row) {
-    return (1 - columns.weight) * image_pixel<Real>(image, columns.first, row) +
-           columns.weight * image_pixel<Real>(image, columns.second, row);
-  };
-  return (1 - rows.weight) * row_color(rows.first) + rows.weight * row_color(rows.second);
+  return bilinear(image, pixel_pair(across, image.width, wrap),
+                  pixel_pair(down, image.height, wrap));
 }
 
 }  // namespace alhazen::render
