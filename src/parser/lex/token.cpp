@@ -1,6 +1,5 @@
 #include "parser/lex/token.h"
 
-#include <array>
 #include <cstddef>
 
 namespace alhazen::parser {
@@ -62,24 +61,11 @@ std::string_view spelling(TokenKind kind) {
 }
 
 std::string_view name_of(Flaw flaw) {
-  constexpr std::array<std::string_view, 17> kNames = {"none",
-                                                       "unexpected_character",
-                                                       "look_alike",
-                                                       "foreign_spelling",
-                                                       "non_ascii_name",
-                                                       "number_too_large",
-                                                       "number_too_small",
-                                                       "malformed_number",
-                                                       "unknown_unit",
-                                                       "malformed_color",
-                                                       "unterminated_string",
-                                                       "unknown_escape",
-                                                       "control_character",
-                                                       "invalid_utf8",
-                                                       "wrong_quotes",
-                                                       "unterminated_comment",
-                                                       "misplaced_header"};
-  static_assert(kNames.size() == static_cast<std::size_t>(Flaw::misplaced_header) + 1);
+  constexpr std::string_view kNames[] = {
+#define ALHAZEN_FLAW(flaw) #flaw,
+#include "parser/lex/flaw.def"
+#undef ALHAZEN_FLAW
+  };
   return kNames[static_cast<std::size_t>(flaw)];
 }
 

@@ -20,23 +20,9 @@ enum class TokenKind : std::uint8_t {
 // What is wrong with a token. Its kind is then what the author most likely meant, so that the
 // parser goes on as if it had been written right.
 enum class Flaw : std::uint8_t {
-  none,
-  unexpected_character,  // nothing in the language is written with it
-  look_alike,            // a character that editors and word processors put for one of ours
-  foreign_spelling,      // what other languages write: foreign.def
-  non_ascii_name,
-  number_too_large,
-  number_too_small,
-  malformed_number,
-  unknown_unit,
-  malformed_color,
-  unterminated_string,
-  unknown_escape,
-  control_character,  // in a string
-  invalid_utf8,       // in a string
-  wrong_quotes,
-  unterminated_comment,
-  misplaced_header,
+#define ALHAZEN_FLAW(flaw) flaw,
+#include "parser/lex/flaw.def"
+#undef ALHAZEN_FLAW
 };
 
 struct Token {

@@ -24,11 +24,6 @@ ast::For Parser::parse_for() {
 ast::If Parser::parse_if() {
   next();
   ast::If branch;
-  Nesting nesting(*this);
-  if (!nesting.allowed()) {
-    branch.condition = error_expression();
-    return branch;
-  }
   branch.condition = parse_header_expression();
   if (at(TokenKind::kw_then)) {
     fail_expected("`{`").hint(
@@ -46,6 +41,8 @@ ast::If Parser::parse_if() {
     branch.else_branch = parse_body();
     return branch;
   }
+  Nesting nesting(*this);
+  if (!nesting.allowed()) return branch;
   auto item = std::make_unique<ast::Item>();
   const std::uint32_t begin = peek().begin;
   item->node = parse_if();

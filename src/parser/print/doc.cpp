@@ -1,6 +1,7 @@
 #include "parser/print/doc.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace alhazen::parser {

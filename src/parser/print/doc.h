@@ -3,12 +3,11 @@
 // are taken and the groups inside of it choose for themselves.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace alhazen::parser {
-
-class DocBuilder;
 
 // A node of a document; belongs to the builder that made it.
 using Doc = std::size_t;
