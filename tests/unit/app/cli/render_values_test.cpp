@@ -69,10 +69,13 @@ TEST(RenderValues, NamesAreReadBack) {
 RC_GTEST_PROP(RenderValues, AnyBytesAreReadOrRefused, (const std::string& text)) {
   const auto size = to_size(text);
   const auto crop = to_crop(text);
-  RC_ASSERT(!size || (size.value().width > 0 && size.value().height > 0));
-  RC_ASSERT(!crop || (crop.value().width > 0 && crop.value().x >= 0));
-  RC_ASSERT(!to_filter(text) || to_filter(text).value().radius > 0);
-  RC_ASSERT(!to_define(text) || !to_define(text).value().name.empty());
+  const auto filter = to_filter(text);
+  const auto define = to_define(text);
+  // Inside of RC_ASSERT `||` would not stop at its left operand.
+  if (size) RC_ASSERT(size.value().width > 0 && size.value().height > 0);
+  if (crop) RC_ASSERT(crop.value().width > 0 && crop.value().x >= 0);
+  if (filter) RC_ASSERT(filter.value().radius > 0);
+  if (define) RC_ASSERT(!define.value().name.empty());
 }
 
 }  // namespace
