@@ -84,14 +84,14 @@ struct Rgb {
         g(static_cast<Real>(other.g)),
         b(static_cast<Real>(other.b)) {}
 
-  friend constexpr Rgb operator+(Rgb a, Rgb b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-  friend constexpr Rgb operator-(Rgb a, Rgb b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
-  friend constexpr Rgb operator*(Rgb a, Rgb b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+  friend constexpr Rgb operator+(Rgb p, Rgb q) { return {p.r + q.r, p.g + q.g, p.b + q.b}; }
+  friend constexpr Rgb operator-(Rgb p, Rgb q) { return {p.r - q.r, p.g - q.g, p.b - q.b}; }
+  friend constexpr Rgb operator*(Rgb p, Rgb q) { return {p.r * q.r, p.g * q.g, p.b * q.b}; }
   friend constexpr Rgb operator*(Real s, Rgb a) { return {s * a.r, s * a.g, s * a.b}; }
   friend constexpr Rgb operator*(Rgb a, Real s) { return {a.r * s, a.g * s, a.b * s}; }
   friend constexpr Rgb operator/(Rgb a, Real s) { return {a.r / s, a.g / s, a.b / s}; }
   constexpr Rgb& operator+=(Rgb other) { return *this = *this + other; }
-  friend constexpr bool operator==(Rgb a, Rgb b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
+  friend constexpr bool operator==(Rgb p, Rgb q) { return p.r == q.r && p.g == q.g && p.b == q.b; }
 };
 
 using Rgbd = Rgb<double>;
