@@ -21,7 +21,7 @@ class SceneBuilder {
     return static_cast<TextureId>(scene.textures.size() - 1);
   }
   MaterialId material(Scattering scattering, Rgbd emission = {}) {
-    scene.materials.push_back({std::move(scattering), emission, "", {}});
+    scene.materials.push_back({std::move(scattering), emission, false, "", {}});
     return static_cast<MaterialId>(scene.materials.size() - 1);
   }
   MaterialId diffuse(double albedo) { return material(Diffuse{color(Rgbd(albedo)), {}}); }

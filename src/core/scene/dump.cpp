@@ -228,8 +228,8 @@ std::string dump(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& m = scene.materials[i];
-    out += fmt::format("material {}: {} {} emission {}\n", i, quoted(m.name), text(m.scattering),
-                       text(m.emission));
+    out += fmt::format("material {}: {} {} emission {}{}\n", i, quoted(m.name), text(m.scattering),
+                       text(m.emission), m.one_sided_emission ? " of one side" : "");
   }
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& l = scene.lights[i];

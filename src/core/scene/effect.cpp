@@ -71,6 +71,8 @@ void call_scattering(Walk& walk, const Material& material, SourceSpan by) {
                         },
                         [&](const Coat& m) {
                           set.call(Effect::coat, material.span);
+                          if (is_zero(m.base_albedo)) return;
+                          set.call(Effect::coat_base, material.span);
                           call_texture(walk, m.base_albedo);
                         },
                         [](const Black&) {}},
@@ -80,7 +82,8 @@ void call_scattering(Walk& walk, const Material& material, SourceSpan by) {
 
 void call_lights(const Scene& scene, EffectSet& set) {
   // Mirrors, metals and glass show lights as things; only these surfaces answer to them.
-  if (!set.has(Effect::matte) && !set.has(Effect::highlights) && !set.has(Effect::coat)) return;
+  if (!set.has(Effect::matte) && !set.has(Effect::highlights) && !set.has(Effect::coat_base))
+    return;
   for (const Light& light : scene.lights) {
     if (!shines(light)) continue;
     set.call(effect_of(light.source), light.span);
@@ -107,7 +110,10 @@ void call_background(const Scene& scene, EffectSet& set) {
                  },
                  [](const EnvironmentBackground& b) { return b.intensity != 0; }},
       background.source);
-  if (!lit) return;
+  // Behind a transparent picture only rays that were reflected or refracted see the background.
+  const bool seen = !scene.settings.transparent_background || set.has(Effect::mirror) ||
+                    set.has(Effect::metal) || set.has(Effect::coat) || set.has(Effect::refraction);
+  if (!lit || !seen) return;
   set.call(Effect::background, background.span);
   if (std::holds_alternative<EnvironmentBackground>(background.source)) {
     set.call(Effect::environment_image, background.span);

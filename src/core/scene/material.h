@@ -52,7 +52,8 @@ using Scattering = std::variant<Diffuse, Mirror, Metal, Glass, Coat, Black>;
 
 struct Material {
   Scattering scattering;
-  Rgbd emission;  // radiance, both sides
+  Rgbd emission;  // radiance, of both sides or of the one that the normal points to
+  bool one_sided_emission = false;
   std::string name;
   SourceSpan span;
 };

@@ -60,7 +60,7 @@ class Flattener {
     if (default_material_ == kNoId) {
       Store& store = context_.store();
       const TextureId grey = store.add(Texture{SolidPattern{Rgbd(0.8)}, Mapping::object, {}, {}});
-      default_material_ = store.add(Material{Diffuse{grey, {}}, {}, "", {}});
+      default_material_ = store.add(Material{Diffuse{grey, {}}, {}, false, "", {}});
     }
     return default_material_;
   }
@@ -111,8 +111,9 @@ class Flattener {
                           },
                           [](const auto&) {}},
                light.source);
-    shape.material =
-        used_.material(context_.store().add(Material{Black{}, radiance, "", light.span}));
+    // A rectangle is seen to shine from the side to which it shines; a ball has only one.
+    Material worn{Black{}, radiance, true, "", light.span};
+    shape.material = used_.material(context_.store().add(std::move(worn)));
     shape.light = static_cast<LightId>(scene_.lights.size());
     shape.name = light.name;
     shape.span = light.span;

@@ -98,7 +98,7 @@ std::optional<MaterialId> lower_material(Context& context, const Properties& pro
   // What glows says so by its colour, all others by `emission`.
   const bool glows = properties.schema().name == "glow";
   const std::string_view emission = glows ? "color" : "emission";
-  Material out{*scatters, {}, "", properties.head()};
+  Material out{*scatters, {}, false, "", properties.head()};
   out.emission =
       base != nullptr && !properties.has(emission) ? base->emission : properties.color(emission);
   return context.store().add(std::move(out));

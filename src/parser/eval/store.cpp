@@ -117,6 +117,7 @@ MaterialId Store::add(Material material) {
   Key key;
   add_scattering(key, material.scattering);
   key.add(material.emission);
+  key.add(std::uint64_t{material.one_sided_emission});
   return find_or_add(material_ids_, key.take(), [&] { materials_.push_back(std::move(material)); });
 }
 

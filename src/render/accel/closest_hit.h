@@ -2,6 +2,7 @@
 // it must give the same hits, to the last bit, behind the same functions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -24,13 +25,18 @@ struct Touched {
 // if the ray has to get to its other side, and the side that it stands on is known: the point was
 // reached in the direction `arrival`, so the ray stands where -arrival points; but of a face that
 // has been met at this point (`earlier`, the latest first), where it went on from there. Three
-// faces in general position share a point, so two are remembered beside the one that is left.
+// faces in general position share a point; four boxes side by side bring two more together.
 struct Source {
   ShapeId shape = kNoId;
   int face = kNoFace;
   Side side = Side::kByDirection;
   Vec3d arrival;  // 0: not known, every face at t = 0 is met
-  std::array<Touched, 2> earlier{};
+  std::array<Touched, 4> earlier{};
+
+  void remember(Touched touched) {
+    std::copy_backward(earlier.begin(), earlier.end() - 1, earlier.end());
+    earlier[0] = touched;
+  }
 };
 
 template <class Real>
@@ -52,7 +58,8 @@ inline Source source_after(const Source& before, Vec3<Real> direction, const Hit
                Vec3d(direction)};
   if (hit.t == Real(0) && before.shape != kNoId) {
     after.arrival = before.arrival;
-    after.earlier = {Touched{before.shape, before.face, before.side}, before.earlier[0]};
+    after.earlier = before.earlier;
+    after.remember({before.shape, before.face, before.side});
   }
   return after;
 }

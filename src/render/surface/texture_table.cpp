@@ -110,20 +110,6 @@ auto TextureTable<Real>::gradient(Node node, const GradientPattern& pattern) -> 
   return node;
 }
 
-// Where several stops share a position, the colour jumps there and is the last one's at it.
-template <class Real>
-Rgb<Real> TextureTable<Real>::gradient_color(const Node& node, Real x) const {
-  TextureId next = node.first;
-  while (next < node.second && stops_[next].position <= x)
-    ++next;
-  if (next == node.first) return stops_[node.first].color;
-  const Stop& low = stops_[next - 1];
-  if (next == node.second) return low.color;
-  const Stop& high = stops_[next];
-  const Real weight = (x - low.position) / (high.position - low.position);
-  return (1 - weight) * low.color + weight * high.color;
-}
-
 template <class Real>
 Vec3<Real> TextureTable<Real>::pattern_point(const Node& node, const TexturePoint<Real>& point) {
   switch (node.mapping) {
@@ -154,7 +140,8 @@ Rgb<Real> TextureTable<Real>::color(TextureId id, const TexturePoint<Real>& poin
         second = in_mortar(p, node->size, node->mortar);
         break;
       case PatternKind::gradient:
-        return gradient_color(*node, p.x);
+        return gradient_color<Real>({stops_.data() + node->first, stops_.data() + node->second},
+                                    p.x);
       case PatternKind::image:
         return image_color(node->image, p.x, p.y, node->wrap, node->filter);
       case PatternKind::solid:

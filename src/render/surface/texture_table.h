@@ -7,6 +7,7 @@
 
 #include "core/math/transform.h"
 #include "core/scene/texture.h"
+#include "render/surface/gradient.h"
 #include "render/surface/texture_image.h"
 #include "render/surface/texture_pattern.h"
 #include "render/surface/texture_point.h"
@@ -46,19 +47,14 @@ class TextureTable {
     Real mortar = 0;  // brick
     ImageView image;
   };
-  struct Stop {
-    Real position;
-    Rgb<Real> color;
-  };
 
   Node make_node(const Texture& texture, std::span<const ImageView> images, Vec3d world_offset);
   Node choice(Node node, PatternKind kind, TextureId first, TextureId second) const;
   Node gradient(Node node, const GradientPattern& pattern);
-  Rgb<Real> gradient_color(const Node& node, Real x) const;
   static Vec3<Real> pattern_point(const Node& node, const TexturePoint<Real>& point);
 
   std::vector<Node> nodes_;
-  std::vector<Stop> stops_;
+  std::vector<ColorStop<Real>> stops_;
 };
 
 }  // namespace alhazen::render

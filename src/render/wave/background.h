@@ -5,6 +5,7 @@
 
 #include "core/math/elementary.h"
 #include "core/scene/camera.h"
+#include "render/surface/gradient.h"
 #include "render/surface/texture_image.h"
 #include "render/wave/render.h"
 
@@ -35,7 +36,7 @@ class BackgroundRadiance {
       case Kind::solid:
         return color_;
       case Kind::gradient:
-        return gradient(d.y);
+        return gradient_color<Real>(stops_, d.y);
       default:
         return picture(d);
     }
@@ -43,22 +44,6 @@ class BackgroundRadiance {
 
  private:
   enum class Kind { solid, gradient, picture };
-  struct Stop {
-    Real position;
-    Rgb<Real> color;
-  };
-
-  Rgb<Real> gradient(Real position) const {
-    if (position <= stops_.front().position) return stops_.front().color;
-    for (std::size_t i = 1; i < stops_.size(); ++i) {
-      const Stop &a = stops_[i - 1], &b = stops_[i];
-      if (position < b.position) {
-        const Real share = (position - a.position) / (b.position - a.position);
-        return (Real(1) - share) * a.color + share * b.color;
-      }
-    }
-    return stops_.back().color;
-  }
 
   // The picture wraps around in azimuth and ends at the poles.
   Rgb<Real> picture(Vec3<Real> d) const {
@@ -72,7 +57,7 @@ class BackgroundRadiance {
 
   Kind kind_;
   Rgb<Real> color_;
-  std::vector<Stop> stops_;
+  std::vector<ColorStop<Real>> stops_;
   ImageView image_;
   Real turns_{}, intensity_{};
 };

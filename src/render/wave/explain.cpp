@@ -44,13 +44,13 @@ std::string explain_text(const StagePlan& plan, const EffectSet& effects,
       const std::string lines = lines_of(effects.callers(effect), sources);
       put("  yes  {:<22}{}\n", about.text, lines.empty() ? "(settings)" : lines);
     } else {
-      put("  -    {:<22}no {}\n", about.text, about.cause);
+      put("  -    {:<22}nothing calls for it: {}\n", about.text, about.cause);
     }
   }
   const auto put_stages = [&](std::string_view title, const std::vector<PlannedStage>& stages) {
     put("{}\n", title);
     for (const PlannedStage& stage : stages) {
-      put("  {:<44}because: {}\n", info(stage.id).text, reasons(stage));
+      put("  {:<60} because: {}\n", info(stage.id).text, reasons(stage));
       if (!info(stage.id).keeps.empty()) put("    keeps: {}\n", info(stage.id).keeps);
     }
   };

@@ -3,6 +3,7 @@
 // inside out: the radiance of a ray tree is linear, so each ray carries its share).
 #pragma once
 
+#include <atomic>
 #include <ctime>
 #include <utility>
 #include <vector>
@@ -20,20 +21,22 @@ inline double thread_cpu_seconds() {
 template <class Real>
 class Integrator {
  public:
-  // More rays than this in one generation are cut into parts, each followed to its end before the
-  // next: memory stays bounded. Cuts fall between camera samples, so they change no sum.
-  static constexpr std::size_t kMaxGeneration = std::size_t{1} << 16;
-
-  Integrator(const World<Real>& world, const StagePlan& plan)
+  // More rays than `max_generation` in one generation are cut into parts, each followed to its end
+  // before the next, so that the queues stay within a few times as many entries. Cuts fall between
+  // camera samples, which changes no sum. Only when one sample alone has more is it cut itself, at
+  // a place that follows from its own rays and from nothing else.
+  Integrator(const World<Real>& world, const StagePlan& plan, const std::atomic<bool>* cancel)
       : wave_(world),
         start_(stage_functions<Real>(plan.start)),
-        generation_(stage_functions<Real>(plan.generation)) {}
+        generation_(stage_functions<Real>(plan.generation)),
+        cancel_(cancel),
+        max_generation_(kMaxLightPaths / world.light_samples()) {}
 
   Wave<Real>& wave() { return wave_; }
   const Wave<Real>& wave() const { return wave_; }
 
-  // Follows every ray of every sample in wave().slots to its end.
-  void run_batch() {
+  // Follows every ray of every sample in wave().slots to its end; false when it was cancelled.
+  bool run_batch() {
     wave_.media.clear();
     wave_.rays.clear();
     first_generation_ = true;
@@ -43,10 +46,11 @@ class Integrator {
     std::vector<RayQueue<Real>> waiting;
     for (;;) {
       while (!wave_.rays.empty()) {
-        if (wave_.rays.size() > kMaxGeneration) set_aside(waiting);
+        if (cancel_ != nullptr && cancel_->load()) return false;
+        if (wave_.rays.size() > max_generation_) set_aside(waiting);
         run_generation();
       }
-      if (waiting.empty()) return;
+      if (waiting.empty()) return true;
       wave_.rays = std::move(waiting.back());
       waiting.pop_back();
     }
@@ -66,8 +70,14 @@ class Integrator {
 
   // How much work a stage has before it, for the figures.
   std::size_t items_of(StageId id) const {
+    if (id >= StageId::ambient_on_matte && id <= StageId::rectangle_on_coat) {
+      const std::size_t lists[] = {wave_.matte.size(), wave_.glossy.size(), wave_.coat.size()};
+      return lists[(static_cast<int>(id) - static_cast<int>(StageId::ambient_on_matte)) % 3];
+    }
     switch (id) {
       case StageId::closest_hits:
+      case StageId::interfaces:
+      case StageId::absorb:
         return wave_.rays.size();
       case StageId::escape:
         return wave_.escaped.size();
@@ -99,17 +109,22 @@ class Integrator {
     wave_.counters.stage_seconds[index] += thread_cpu_seconds() - before;
   }
 
-  // Moves the rays of the later samples to `waiting`, at most kMaxGeneration at a time where the
-  // samples' own trees allow it.
+  // Moves rays to `waiting` until at most max_generation_ are left: those of the later samples, or,
+  // of a single sample, those beyond the first max_generation_.
   void set_aside(std::vector<RayQueue<Real>>& waiting) {
-    const std::size_t half = wave_.rays.cut_near(wave_.rays.size() / 2);
-    if (half == 0 || half == wave_.rays.size()) return;
-    waiting.push_back(wave_.rays.split_off(half));
-    if (wave_.rays.size() > kMaxGeneration) set_aside(waiting);
+    while (wave_.rays.size() > max_generation_) {
+      const std::size_t cut = wave_.rays.cut_near(wave_.rays.size() / 2);
+      waiting.push_back(wave_.rays.split_off(cut > 0 ? cut : max_generation_));
+    }
   }
+
+  // Entries that the queue of light paths may come to hold, 150 bytes or so each.
+  static constexpr std::size_t kMaxLightPaths = std::size_t{1} << 18;
 
   Wave<Real> wave_;
   std::vector<StageCall<Real>> start_, generation_;
+  const std::atomic<bool>* cancel_;
+  std::size_t max_generation_;
   bool first_generation_ = true;
 };
 

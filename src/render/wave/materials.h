@@ -19,6 +19,7 @@ template <class Real>
 struct MaterialRecord {
   SurfaceKind kind = SurfaceKind::black;
   bool emits = false;
+  bool one_sided = false;  // emits where its surface is met from outside
   Rgb<Real> emission;
   TextureId color = kNoId;  // albedo or reflectance
   HighlightLobe<Real> lobe;
@@ -37,6 +38,7 @@ class MaterialTable {
       MaterialRecord<Real> record;
       record.emission = Rgb<Real>(material.emission);
       record.emits = !is_black(material.emission);
+      record.one_sided = material.one_sided_emission;
       std::visit([&](const auto& m) { fill(m, solid, record); }, material.scattering);
       records_.push_back(record);
       const auto* glass = std::get_if<Glass>(&material.scattering);

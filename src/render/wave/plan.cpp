@@ -1,18 +1,24 @@
 #include "render/wave/plan.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace alhazen::render {
 namespace {
 
 class Planner {
  public:
-  Planner(const Scene& scene, const EffectSet& effects) : scene_(scene), effects_(effects) {}
+  Planner(const Scene& scene, const EffectSet& effects, bool wants_albedo)
+      : scene_(scene), effects_(effects), wants_albedo_(wants_albedo) {}
 
   StagePlan plan() {
     add_camera();
     if (!scene_.shapes.empty()) {
-      always(StageId::closest_hits);
+      if (effects_.has(Effect::refraction)) {
+        when(StageId::interfaces, {Effect::refraction});
+      } else {
+        always(StageId::closest_hits);
+      }
       when(StageId::absorb, {Effect::absorption});
     }
     when(StageId::escape, {Effect::background});
@@ -33,19 +39,18 @@ class Planner {
   }
 
   void add_surfaces() {
-    const bool colored = effects_.has(Effect::matte) || effects_.has(Effect::highlights) ||
-                         effects_.has(Effect::coat) || effects_.has(Effect::mirror);
-    const bool scatters =
-        colored || effects_.has(Effect::metal) || effects_.has(Effect::refraction);
-    if (effects_.has(Effect::textures)) {
+    const bool lit = effects_.has(Effect::direct_light) || effects_.has(Effect::ambient_light);
+    const bool scattering = effects_.has(Effect::matte) || effects_.has(Effect::highlights) ||
+                            effects_.has(Effect::coat_base);
+    const bool colored = (lit && scattering) || effects_.has(Effect::mirror) || wants_albedo_;
+    const bool reflecting = effects_.has(Effect::mirror) || effects_.has(Effect::metal) ||
+                            effects_.has(Effect::coat) || effects_.has(Effect::refraction);
+    if (colored && effects_.has(Effect::textures)) {
       when(StageId::textured_surfaces, {Effect::textures});
-    } else if (scatters) {
-      always(StageId::surfaces);
-    }
-    if (effects_.has(Effect::textures)) {
       when(StageId::textured_colors, {Effect::textures});
-    } else if (colored) {
-      always(StageId::plain_colors);
+    } else {
+      if (colored || reflecting) always(StageId::surfaces);
+      if (colored) always(StageId::plain_colors);
     }
     when(StageId::emission, {Effect::emission});
     add_lights();
@@ -60,7 +65,11 @@ class Planner {
     constexpr Effect kLights[] = {Effect::ambient_light,      Effect::point_lights,
                                   Effect::directional_lights, Effect::spot_lights,
                                   Effect::sphere_lights,      Effect::rectangle_lights};
-    constexpr Effect kSurfaces[] = {Effect::matte, Effect::highlights, Effect::coat};
+    constexpr Effect kSurfaces[] = {Effect::matte, Effect::highlights, Effect::coat_base};
+    static_assert(
+        static_cast<int>(StageId::rectangle_on_coat) - static_cast<int>(kFirstStage) + 1 ==
+            std::size(kLights) * std::size(kSurfaces),
+        "stage.def lists each light on each surface in this order");
     int stage = static_cast<int>(kFirstStage);
     for (const Effect light : kLights) {
       for (const Effect surface : kSurfaces) {
@@ -95,6 +104,7 @@ class Planner {
 
   const Scene& scene_;
   const EffectSet& effects_;
+  bool wants_albedo_;
   StagePlan plan_;
 };
 
@@ -115,8 +125,8 @@ bool operator==(const StagePlan& a, const StagePlan& b) {
   return same_stages(a.start, b.start) && same_stages(a.generation, b.generation);
 }
 
-StagePlan make_plan(const Scene& scene, const EffectSet& effects) {
-  return Planner(scene, effects).plan();
+StagePlan make_plan(const Scene& scene, const EffectSet& effects, bool wants_albedo) {
+  return Planner(scene, effects, wants_albedo).plan();
 }
 
 }  // namespace alhazen::render

@@ -51,7 +51,8 @@ struct StagePlan {
 // start from may lie inside glass.
 EffectSet effects_of(const Scene& scene);
 
-StagePlan make_plan(const Scene& scene, const EffectSet& effects);
+// `wants_albedo`: a data channel asks for the colours of surfaces that no light and no ray would.
+StagePlan make_plan(const Scene& scene, const EffectSet& effects, bool wants_albedo = false);
 
 // One line a stage with its reasons; `sources` gives the lines of the scene. The JSON has the same:
 // {"effects": [{name, text, called, lines}], "stages": [{name, text, phase, because, keeps}]}.

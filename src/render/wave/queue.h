@@ -5,6 +5,7 @@
 // the same whatever else shares the batch (docs/waves.md).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -89,6 +90,9 @@ struct HitQueue {
   std::vector<std::uint32_t> ray;  // index into the generation's RayQueue
   std::vector<Hit<Real>> hit;
   std::vector<MaterialId> material;
+  // Faces passed at the very point of the hit without being an interface; only where there is
+  // glass.
+  std::vector<std::array<Touched, 4>> passed;
   std::vector<Vec3<Real>> position;               // on the surface, world frame of the renderer
   std::vector<Vec3<Real>> geometric_normal;       // outward, unit
   std::vector<Vec3<Real>> shading_normal;         // unit, on the side that the ray came from
@@ -105,14 +109,12 @@ struct HitQueue {
     ray.clear();
     hit.clear();
     material.clear();
+    passed.clear();
   }
-  // Makes room for what the later stages find out about each hit.
   void resize_points() {
-    const std::size_t size = ray.size();
-    position.resize(size);
-    geometric_normal.resize(size);
-    shading_normal.resize(size);
-    color.resize(size);
+    position.resize(ray.size());
+    geometric_normal.resize(ray.size());
+    shading_normal.resize(ray.size());
   }
 };
 

@@ -1,5 +1,6 @@
 #include "render/wave/render.h"
 
+#include <exception>
 #include <fmt/format.h>
 #include <new>
 
@@ -42,7 +43,7 @@ Result<RenderOutput> render(const Scene& scene, const std::vector<ImagePixels>& 
                             const RenderOptions& options, const ProgressListener& progress) {
   const Result<PixelRect> window = window_of(scene.settings, options.crop);
   if (!window) return window.error();
-  const StagePlan plan = make_plan(scene, effects_of(scene));
+  const StagePlan plan = make_plan(scene, effects_of(scene), options.aovs.albedo);
   try {
     return render_in(options.precision, {scene, images, options, plan, window.value(), progress});
   } catch (const std::bad_alloc&) {

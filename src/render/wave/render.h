@@ -98,7 +98,7 @@ using ProgressListener = std::function<void(std::uint64_t done, std::uint64_t to
 // Renders `scene` with its settings as they stand. `images` parallels Scene::images. The picture is
 // a function of scene, images, precision and crop alone: the same bits for any number of threads.
 // Errors: usage for a crop outside of the frame, unsupported for quad in a build without it, limit
-// when memory runs out or the run was cancelled (message "cancelled").
+// when memory runs out, stopped when the run was cancelled.
 Result<RenderOutput> render(const Scene& scene, const std::vector<ImagePixels>& images,
                             const RenderOptions& options, const ProgressListener& progress = {});
 

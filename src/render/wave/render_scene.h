@@ -3,7 +3,9 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "render/wave/tile_render.h"
@@ -36,8 +38,9 @@ struct TileQueue {
   std::vector<PixelRect> tiles;
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stopped{false};
-  std::mutex progress_mutex;
+  std::mutex mutex;  // of everything below, of the listener and of the statistics
   std::uint64_t pixels_done = 0;
+  std::exception_ptr failure;  // the first of a worker
 };
 
 inline void add_figures(const WaveCounters& from, const StagePlan& plan, RenderStatistics& to) {
@@ -71,16 +74,17 @@ void work(const TileJob<Real>& job, const RenderJob& whole, TileQueue& queue, Pi
       queue.stopped = true;
       break;
     }
-    const std::lock_guard lock(queue.progress_mutex);
+    const std::lock_guard lock(queue.mutex);
     queue.pixels_done += static_cast<std::uint64_t>(tile.width) * tile.height;
     if (whole.progress) {
       whole.progress(queue.pixels_done, static_cast<std::uint64_t>(whole.window.width) *
                                             static_cast<std::uint64_t>(whole.window.height));
     }
   }
-  const std::lock_guard lock(queue.progress_mutex);
+  const std::lock_guard lock(queue.mutex);
   add_figures(renderer.counters(), job.plan, statistics);
   statistics.samples += renderer.samples();
+  statistics.camera_rays += renderer.center_rays();
   statistics.dropped_weight_max =
       std::max(statistics.dropped_weight_max, renderer.largest_dropped_weight());
   statistics.cpu_seconds += thread_cpu_seconds() - started;
@@ -119,17 +123,31 @@ Result<RenderOutput> render_scene(const RenderJob& whole) {
   TileQueue queue;
   queue.tiles = tiles_of(whole.window, TileRenderer<Real>::kTileSize);
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t wanted = whole.options.threads > 0
-                                 ? static_cast<std::size_t>(whole.options.threads)
-                                 : static_cast<std::size_t>(cores);
-  const std::size_t threads = std::min(wanted, std::max<std::size_t>(1, queue.tiles.size()));
+  const std::size_t asked = whole.options.threads > 0
+                                ? static_cast<std::size_t>(whole.options.threads)
+                                : static_cast<std::size_t>(cores);
+  const std::size_t wanted = std::min(asked, queue.tiles.size());
+  const auto work_safely = [&]() noexcept {
+    try {
+      work(job, whole, queue, output.picture, output.statistics);
+    } catch (...) {
+      const std::lock_guard lock(queue.mutex);
+      if (!queue.failure) queue.failure = std::current_exception();
+      queue.stopped = true;
+    }
+  };
+  std::size_t threads = 1;
   {
     std::vector<std::jthread> workers;
-    for (std::size_t k = 1; k < threads; ++k) {
-      workers.emplace_back([&] { work(job, whole, queue, output.picture, output.statistics); });
+    try {
+      for (; threads < wanted; ++threads)
+        workers.emplace_back(work_safely);
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those there are do all the work.
     }
-    work(job, whole, queue, output.picture, output.statistics);
+    work_safely();
   }
+  if (queue.failure) std::rethrow_exception(queue.failure);
   if (queue.stopped.load()) return Error{ErrorCode::stopped, "stopped before it was done"};
   output.statistics.threads = static_cast<int>(threads);
   output.statistics.wall_seconds =

@@ -2,22 +2,60 @@
 #pragma once
 
 #include "render/surface/absorption.h"
+#include "render/wave/passage.h"
 #include "render/wave/wave.h"
 
 namespace alhazen::render {
+
+template <class Real>
+void keep_hit(Wave<Real>& wave, std::uint32_t ray, const std::optional<Hit<Real>>& hit) {
+  if (hit) {
+    wave.hits.push(ray, *hit, wave.world.material_of[hit->shape]);
+  } else {
+    wave.escaped.push_back(ray);
+  }
+}
 
 // Splits the generation into hits, sorted into the lists of their surface's kind, and escaped rays.
 template <class Real>
 void find_closest_hits(Wave<Real>& wave) {
   for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-    const auto ray = static_cast<std::uint32_t>(i);
-    const std::optional<Hit<Real>> hit =
-        closest_hit(wave.world.shapes, wave.rays.ray(i), wave.rays.source[i], infinity<Real>());
-    if (!hit) {
-      wave.escaped.push_back(ray);
-      continue;
+    keep_hit(
+        wave, static_cast<std::uint32_t>(i),
+        closest_hit(wave.world.shapes, wave.rays.ray(i), wave.rays.source[i], infinity<Real>()));
+  }
+  wave.sort_hits();
+}
+
+// The same where there is glass: a surface with the same medium on both sides is no interface, so
+// the ray goes on along its line, and only its list of media changes. Each crossing of the line is
+// visited once, in order, so this ends however many solids share a face.
+template <class Real>
+void find_interfaces(Wave<Real>& wave) {
+  const World<Real>& world = wave.world;
+  for (std::size_t i = 0; i < wave.rays.size(); ++i) {
+    const Ray<Real> ray = wave.rays.ray(i);
+    const Source& source = wave.rays.source[i];
+    MediumId& medium = wave.rays.medium[i];
+    Source passed;  // remembers the faces passed at one point
+    Real passed_at = -1;
+    auto hit = closest_hit(world.shapes, ray, source, infinity<Real>());
+    while (hit) {
+      const MaterialId material = world.material_of[hit->shape];
+      if (world.materials[material].kind != SurfaceKind::glass) break;
+      medium = before_surface(wave.media, medium, material, hit->enters);
+      const Passage<Real> passage = cross_surface(world, wave.media, medium, material, hit->enters);
+      if (passage.is_interface) break;
+      medium = passage.behind;
+      if (hit->t != passed_at) passed = {};
+      passed_at = hit->t;
+      passed.remember({hit->shape, hit->face, hit->enters ? Side::kBelow : Side::kAbove});
+      hit = next_hit(world.shapes, ray, source, *hit, infinity<Real>());
     }
-    wave.hits.push(ray, *hit, wave.world.material_of[hit->shape]);
+    keep_hit(wave, static_cast<std::uint32_t>(i), hit);
+    if (!hit) continue;
+    if (hit->t != passed_at) passed = {};
+    wave.hits.passed.push_back(passed.earlier);
   }
   wave.sort_hits();
 }
@@ -51,6 +89,7 @@ void add_background(Wave<Real>& wave) {
 template <class Real, bool with_coordinates>
 void find_surfaces(Wave<Real>& wave) {
   auto& hits = wave.hits;
+  hits.resize_points();
   if constexpr (with_coordinates) hits.texture_point.resize(hits.size());
   for (std::size_t h = 0; h < hits.size(); ++h) {
     const Hit<Real>& hit = hits.hit[h];
@@ -71,6 +110,7 @@ void find_surfaces(Wave<Real>& wave) {
 template <class Real>
 void find_plain_colors(Wave<Real>& wave) {
   auto& hits = wave.hits;
+  hits.color.resize(hits.size());
   for (std::size_t h = 0; h < hits.size(); ++h) {
     const TextureId color = wave.world.materials[hits.material[h]].color;
     if (color != kNoId) hits.color[h] = *wave.world.textures.solid_color(color);
@@ -80,6 +120,7 @@ void find_plain_colors(Wave<Real>& wave) {
 template <class Real>
 void find_textured_colors(Wave<Real>& wave) {
   auto& hits = wave.hits;
+  hits.color.resize(hits.size());
   for (std::size_t h = 0; h < hits.size(); ++h) {
     const TextureId color = wave.world.materials[hits.material[h]].color;
     if (color != kNoId) {

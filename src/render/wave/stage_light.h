@@ -72,6 +72,7 @@ void queue_light(Wave<Real>& wave, std::uint32_t h, const LightSample<Real>& sam
   const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material[h]];
   const Rgb<Real> scattered =
       Response<Real>::value(material, wave.hits.color[h], normal, view, sample.direction);
+  if (is_black(scattered)) return;
   auto& queue = light.casts_shadows ? wave.light_paths : wave.unshadowed;
   queue.push({wave.hits.position[h], sample.direction}, wave.source_at(h, false), sample.distance,
              light.visible_shape, wave.rays.weight[i] * (cosine * sample.weight * scattered),

@@ -57,13 +57,16 @@ Rgb<Real> follow_to_light(Wave<Real>& wave, std::size_t i) {
   auto hit = closest_hit(world.shapes, ray, source, distance, lamp);
   for (; !is_black(share); hit = next_hit(world.shapes, ray, source, *hit, distance, lamp)) {
     const Real here = hit ? hit->t : distance;
+    const MaterialId material = hit ? world.material_of[hit->shape] : kNoId;
+    if (hit) {
+      if (world.materials[material].kind != SurfaceKind::glass) return Rgb<Real>{};
+      medium = before_surface(wave.media, medium, material, hit->enters);
+    }
     const MaterialId inside = wave.media.current(medium, world.materials.priorities());
     if (inside != kNoId) {
       share = share * transmitted_share(world.materials[inside].absorption, here - travelled);
     }
     if (!hit) break;
-    const MaterialId material = world.material_of[hit->shape];
-    if (world.materials[material].kind != SurfaceKind::glass) return Rgb<Real>{};
     const Passage<Real> passage = cross_surface(world, wave.media, medium, material, hit->enters);
     if (passage.is_interface) {
       const SurfacePoint<Real> point = world.shapes.plain_surface(hit->shape, ray, hit->crossing());

@@ -31,6 +31,8 @@ typename StageCall<Real>::Function stage_function(StageId id) {
       return find_camera_media<Real>;
     case StageId::closest_hits:
       return find_closest_hits<Real>;
+    case StageId::interfaces:
+      return find_interfaces<Real>;
     case StageId::absorb:
       return absorb<Real>;
     case StageId::escape:

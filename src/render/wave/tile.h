@@ -2,6 +2,7 @@
 // have what they ask for.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "render/film/filter.h"
@@ -26,25 +27,29 @@ struct TileJob {
 template <class Real>
 class TileRenderer {
  public:
-  static constexpr int kTileSize = 16;                // pixels on each side
-  static constexpr std::size_t kBatchSamples = 4096;  // camera samples followed at once
+  static constexpr int kTileSize = 16;  // pixels on each side
 
-  explicit TileRenderer(const TileJob<Real>& job) : job_(job), integrator_(job.world, job.plan) {}
+  explicit TileRenderer(const TileJob<Real>& job)
+      : job_(job),
+        integrator_(job.world, job.plan, job.options.cancel),
+        batch_samples_(
+            std::clamp<std::size_t>(kMaxBatchPaths / job.world.light_samples(), 16, 4096)) {}
 
   // Renders `tile`, a part of `picture.window`, into the picture. False when the run was cancelled.
   bool render(PixelRect tile, Picture& picture);
 
   const WaveCounters& counters() const { return integrator_.wave().counters; }
   std::uint64_t samples() const { return samples_; }
+  // Rays through the centres of pixels, for data channels.
+  std::uint64_t center_rays() const { return center_rays_; }
   double largest_dropped_weight() const { return largest_dropped_weight_; }
 
  private:
   struct Pixel {
     std::int32_t x, y;
     std::uint32_t taken = 0, wanted = 0;
-    PixelAccumulator<3> radiance;
-    Rgb<Real> albedo;
-    std::uint32_t met = 0;
+    PixelAccumulator<4> radiance;  // and alpha
+    RunningMoments<3> albedo;
     std::uint64_t rays = 0;
     CoverageCounter objects, materials;
   };
@@ -56,7 +61,7 @@ class TileRenderer {
 
   void start(PixelRect tile);
   bool run_wanted();
-  void run_batch(const std::vector<SampleRange>& spans);
+  bool run_batch(const std::vector<SampleRange>& spans);
   void place_sample(std::size_t slot, const Pixel& pixel, std::uint32_t sample);
   void collect(const std::vector<SampleRange>& spans);
   bool want_more();
@@ -66,7 +71,10 @@ class TileRenderer {
   Integrator<Real> integrator_;
   std::vector<Pixel> pixels_;
   std::vector<std::uint8_t> negative_;  // whether the filter is, at the slot's place
-  std::uint64_t samples_ = 0;
+  // Camera samples followed at once: fewer where each of them asks many samples of the lights.
+  static constexpr std::size_t kMaxBatchPaths = std::size_t{1} << 16;
+  std::size_t batch_samples_;
+  std::uint64_t samples_ = 0, center_rays_ = 0;
   double largest_dropped_weight_ = 0;
 };
 

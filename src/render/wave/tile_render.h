@@ -40,27 +40,27 @@ bool TileRenderer<Real>::run_wanted() {
   std::vector<SampleRange> spans;
   std::size_t size = 0;
   const auto flush = [&] {
-    if (size > 0) run_batch(spans);
+    const bool done = size == 0 || run_batch(spans);
     spans.clear();
     size = 0;
-    return job_.options.cancel == nullptr || !job_.options.cancel->load();
+    return done;
   };
   for (std::size_t p = 0; p < pixels_.size(); ++p) {
     std::uint32_t next = pixels_[p].taken;
     while (next < pixels_[p].wanted) {
-      const auto room = static_cast<std::uint32_t>(kBatchSamples - size);
+      const auto room = static_cast<std::uint32_t>(batch_samples_ - size);
       const std::uint32_t count = std::min(pixels_[p].wanted - next, room);
       spans.push_back({p, next, count});
       next += count;
       size += count;
-      if (size == kBatchSamples && !flush()) return false;
+      if (size == batch_samples_ && !flush()) return false;
     }
   }
   return flush();
 }
 
 template <class Real>
-void TileRenderer<Real>::run_batch(const std::vector<SampleRange>& spans) {
+bool TileRenderer<Real>::run_batch(const std::vector<SampleRange>& spans) {
   std::size_t size = 0;
   for (const SampleRange& span : spans)
     size += span.count;
@@ -72,9 +72,10 @@ void TileRenderer<Real>::run_batch(const std::vector<SampleRange>& spans) {
       place_sample(slot++, pixels_[span.pixel], span.first + k);
     }
   }
-  integrator_.run_batch();
+  if (!integrator_.run_batch()) return false;
   collect(spans);
   samples_ += size;
+  return true;
 }
 
 // Puts a sample where the reconstruction filter wants it; the only sample of a pixel goes to its
@@ -85,13 +86,10 @@ void TileRenderer<Real>::place_sample(std::size_t slot, const Pixel& pixel, std:
   slots.x[slot] = pixel.x;
   slots.y[slot] = pixel.y;
   slots.sample[slot] = sample;
-  slots.offset_x[slot] = slots.offset_y[slot] = Real(0);
-  negative_[slot] = 0;
-  if (job_.settings.samples == 1) return;
   const std::uint64_t path = pixel_seed(job_.world.seed, pixel.x, pixel.y);
   const Sample2d bits = sample_2d(mix_64(path, kFilterDimension), sample);
-  const FilterSample place =
-      job_.filter.sample(unit_real<double>(bits.x), unit_real<double>(bits.y));
+  const FilterSample place = job_.filter.sample(job_.settings.samples, unit_real<double>(bits.x),
+                                                unit_real<double>(bits.y));
   slots.offset_x[slot] = static_cast<Real>(place.x);
   slots.offset_y[slot] = static_cast<Real>(place.y);
   negative_[slot] = place.negative ? 1 : 0;
@@ -106,10 +104,11 @@ void TileRenderer<Real>::collect(const std::vector<SampleRange>& spans) {
     Pixel& pixel = pixels_[span.pixel];
     for (std::uint32_t k = 0; k < span.count; ++k, ++slot) {
       const Rgbd radiance(slots.radiance[slot]);
-      pixel.radiance.add({radiance.r, radiance.g, radiance.b}, negative_[slot] != 0);
+      const double met = slots.met_something[slot] ? 1 : 0;
+      pixel.radiance.add({radiance.r, radiance.g, radiance.b, met}, negative_[slot] != 0);
       pixel.rays += slots.rays[slot];
-      pixel.met += slots.met_something[slot];
-      if (aovs.albedo) pixel.albedo += slots.first_color[slot];
+      const Rgbd albedo(slots.first_color[slot]);
+      if (aovs.albedo) pixel.albedo.add({albedo.r, albedo.g, albedo.b});
       const ShapeId first = slots.first_shape[slot];
       if (first != kNoId && aovs.object_ids) pixel.objects.add(first);
       if (first != kNoId && aovs.material_ids) pixel.materials.add(job_.world.material_of[first]);
@@ -126,10 +125,12 @@ bool TileRenderer<Real>::want_more() {
   const auto& adaptive = job_.settings.adaptive;
   if (!adaptive) return false;
   const auto most = static_cast<std::uint32_t>(job_.settings.samples);
+  const bool transparent = job_.settings.transparent_background;
   bool any = false;
   for (Pixel& pixel : pixels_) {
     if (pixel.taken >= most) continue;
-    if (pixel.radiance.standard_error(job_.filter) <= adaptive->threshold) continue;
+    const double error = pixel.radiance.standard_error(job_.filter, transparent ? 4 : 3);
+    if (error <= adaptive->threshold) continue;
     pixel.wanted = std::min(most, 2 * pixel.taken);
     any = true;
   }
@@ -144,21 +145,21 @@ void TileRenderer<Real>::finish(Picture& picture) {
     const std::size_t row = static_cast<std::size_t>(pixel.y - picture.window.y);
     const std::size_t p = row * static_cast<std::size_t>(picture.window.width) + column;
     const auto mean = pixel.radiance.mean(job_.filter);
-    std::copy(mean.begin(), mean.end(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * p));
-    const auto taken = static_cast<float>(pixel.taken);
-    picture.alpha[p] =
-        job_.settings.transparent_background ? static_cast<float>(pixel.met) / taken : 1.0F;
+    std::copy(mean.begin(), mean.begin() + 3,
+              picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * p));
+    picture.alpha[p] = job_.settings.transparent_background ? static_cast<float>(mean[3]) : 1.0F;
     if (aovs.albedo) {
-      const Rgbd albedo = Rgbd(pixel.albedo) / static_cast<double>(pixel.taken);
-      picture.albedo[3 * p] = static_cast<float>(albedo.r);
-      picture.albedo[3 * p + 1] = static_cast<float>(albedo.g);
-      picture.albedo[3 * p + 2] = static_cast<float>(albedo.b);
+      for (std::size_t c = 0; c < 3; ++c) {
+        picture.albedo[3 * p + c] = static_cast<float>(pixel.albedo.mean(c));
+      }
     }
+    const auto taken = static_cast<float>(pixel.taken);
     if (aovs.samples) picture.samples[p] = taken;
     if (aovs.cost) picture.cost[p] = static_cast<float>(pixel.rays);
     if (aovs.object_ids) picture.objects[p] = pixel.objects.shares(pixel.taken);
     if (aovs.material_ids) picture.materials[p] = pixel.materials.shares(pixel.taken);
     if (aovs.depth || aovs.position || aovs.normal || aovs.uv) {
+      ++center_rays_;
       write_center_geometry(job_.world, aovs, job_.camera, pixel.x, pixel.y, p, picture);
     }
   }

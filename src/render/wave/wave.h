@@ -72,7 +72,12 @@ struct Wave {
   // Where a ray starts that goes on from hit `h`: on the side that it came from, or across.
   Source source_at(std::size_t h, bool across) const {
     const std::size_t i = hits.ray[h];
-    return source_after(rays.source[i], rays.direction[i], hits.hit[h], across);
+    Source source = source_after(rays.source[i], rays.direction[i], hits.hit[h], across);
+    if (hits.passed.empty()) return source;
+    for (auto face = hits.passed[h].rbegin(); face != hits.passed[h].rend(); ++face) {
+      if (face->shape != kNoId) source.remember(*face);
+    }
+    return source;
   }
 
   Real ior_in(MediumId medium) const {
@@ -92,7 +97,8 @@ struct Wave {
       const SlotId slot = rays.slot[hits.ray[h]];
       slots.met_something[slot] = 1;
       slots.first_shape[slot] = hits.hit[h].shape;
-      if (world.materials[hits.material[h]].color != kNoId) slots.first_color[slot] = hits.color[h];
+      const bool colored = world.materials[hits.material[h]].color != kNoId;
+      if (colored && !hits.color.empty()) slots.first_color[slot] = hits.color[h];
     }
   }
 
@@ -107,26 +113,26 @@ struct Wave {
 
   // Puts each hit on the list of its surface's kind.
   void sort_hits() {
-    hits.resize_points();
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const auto h = static_cast<std::uint32_t>(i);
       const MaterialRecord<Real>& material = world.materials[hits.material[h]];
-      if (material.emits) glowing.push_back(h);
+      if (material.emits && (!material.one_sided || hits.hit[i].enters)) glowing.push_back(h);
       if (auto* list = list_of(material.kind)) list->push_back(h);
     }
   }
 
-  // Sends a ray on, or counts why not. `reflection` tells the two kinds apart in the figures.
+  // Sends a ray on one deeper, or counts why not. `reflection` tells the two kinds apart in the
+  // figures.
   void spawn(bool reflection, std::size_t parent, const Ray<Real>& ray, const Source& source,
-             Rgb<Real> weight, MediumId medium, std::uint32_t added_depth = 1) {
-    const std::uint32_t depth = rays.depth[parent] + added_depth;
+             Rgb<Real> weight, MediumId medium) {
+    if (is_black(weight)) return;
+    const std::uint32_t depth = rays.depth[parent] + 1;
     const SlotId slot = rays.slot[parent];
     if (depth > world.max_depth) {
       ++counters.cut_by_depth;
       slots.dropped[slot] += weight;
       return;
     }
-    if (is_black(weight)) return;
     if (largest_channel(weight) < world.cutoff) {
       ++counters.cut_by_weight;
       slots.dropped[slot] += weight;

@@ -3,6 +3,7 @@
 // modelled (docs/numerics.md).
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "render/accel/closest_hit.h"
@@ -36,6 +37,17 @@ struct World {
           std::holds_alternative<Glass>(scene.materials[shape.material].scattering);
       if (is_glass && is_closed(shape.geometry)) glass_solids.push_back(id);
     }
+  }
+
+  // Light paths that one shaded point may send out; at least 1.
+  std::size_t light_samples() const {
+    std::size_t count = lights.points.size() + lights.directionals.size() + lights.spots.size();
+    for (const auto& light : lights.spheres)
+      count += static_cast<std::size_t>(light.kernel.samples);
+    for (const auto& light : lights.rectangles) {
+      count += static_cast<std::size_t>(light.kernel.samples);
+    }
+    return std::max<std::size_t>(1, count);
   }
 
   bool has_shapes() const { return !material_of.empty(); }

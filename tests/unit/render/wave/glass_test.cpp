@@ -118,6 +118,46 @@ TEST(Glass, TwoAbuttingBoxesAreOneBox) {
   EXPECT_EQ(bad, 0);
 }
 
+// Four boxes and eight: at their common edge and corner many faces share a point, and a ray along
+// the seam meets them all there. None of the inner ones is an interface, and the walk past them
+// ends.
+TEST(Glass, ManyAbuttingBoxesAreOneBox) {
+  const auto picture = [](int parts_y, int parts_z) {
+    SceneBuilder b;
+    b.scene.background.source =
+        GradientBackground{{{-1, Rgbd(0.2, 0.1, 0)}, {1, Rgbd(0.4, 0.7, 1)}}};
+    const MaterialId glass = b.glass(1.5, Rgbd(0.2, 0.1, 0.4));
+    for (int x = 0; x < 2; ++x) {
+      for (int y = 0; y < parts_y; ++y) {
+        for (int z = 0; z < parts_z; ++z) {
+          b.add(Box{{x - 1.0, 2.0 * y / parts_y - 1, 2.0 * z / parts_z - 1},
+                    {x + 0.0, 2.0 * (y + 1) / parts_y - 1, 2.0 * (z + 1) / parts_z - 1}},
+                glass);
+        }
+      }
+    }
+    b.scene.settings.width = b.scene.settings.height = 9;  // odd: the centre runs along the seams
+    b.look({0, 0, -4}, {0, 0, 1}, {0, 1, 0}, 45);
+    return pixels_of(b.scene);
+  };
+  const std::vector<double> whole = picture(1, 1);
+  for (const auto& [y, z] : {std::pair{2, 1}, std::pair{1, 2}, std::pair{2, 2}}) {
+    const std::vector<double> split = picture(y, z);
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      EXPECT_NEAR(split[i], whole[i], 1.0 / 255) << y << " x " << z << ", value " << i;
+    }
+  }
+}
+
+// In an absorbing pipe with open ends the segment up to the first wall is absorbed, too.
+TEST(Glass, CameraInsideOfAnOpenShapeIsInIt) {
+  SceneBuilder b;
+  b.background(1);
+  b.scene.settings.max_depth = 1;
+  b.add(Cylinder{{-9, 0, 0}, {9, 0, 0}, 2, false}, b.glass(1, Rgbd(0.3, 0, 0)));
+  EXPECT_NEAR(central_radiance(b, {0, 0, 0}), exp_of(-0.6), 1e-14);
+}
+
 // Water reaches into the glass that holds it. Where they overlap the glass, of higher priority, is
 // there, so that looking out of the overlap the only interface is the outer face of the glass.
 TEST(Glass, PriorityDecidesWhereSolidsOverlap) {

@@ -121,6 +121,65 @@ TEST(Precision, DoubleAgreesWithQuad) {
   EXPECT_LE(worst, 1e-9);
 }
 
+// A scene that sends thousands of light paths from every point: the same picture, in small batches.
+TEST(Invariance, ManyLightSamplesAreFollowedInParts) {
+  Scene scene = busy_scene();
+  scene.settings.width = scene.settings.height = 8;
+  scene.settings.samples = 2;
+  std::get<SphereLight>(scene.lights[1].source).samples = 1024;
+  const std::vector<double> one = pixels_of(scene, {.threads = 1});
+  EXPECT_EQ(pixels_of(scene, {.threads = 3}), one);
+  EXPECT_EQ(pixels_of(scene, {.crop = {3, 2, 1, 1}})[0], one[3 * (2 * 8 + 3)]);
+}
+
+// D4: a tree of reflections and refractions that doubles with every generation. A light of 1024
+// samples makes generations of 256 rays the largest that are followed at once, so this one sample
+// is cut often.
+TEST(Invariance, OneSamplesTreeMayBeLargerThanAGenerationMayBe) {
+  SceneBuilder b;
+  b.add(Sphere{{0, 0, 0}, 9}, b.material(Mirror{b.color(Rgbd(1))}, Rgbd(0.001)));
+  for (int i = 0; i < 4; ++i)
+    b.add(Sphere{{0.1 * i, 0.2 * i, 2.0 * i - 3}, 0.9}, b.glass(1.5));
+  b.scene.settings.max_depth = 26;
+  b.scene.settings.cutoff = 1e-7;
+  b.scene.settings.width = b.scene.settings.height = 2;
+  b.look({0.3, 0.2, -6}, {0, 0, 1}, {0, 1, 0}, 40);
+  const RenderOutput whole = render_or_fail(b.scene);
+  EXPECT_GT(whole.statistics.rays(), std::uint64_t{10000});
+  b.light(SphereLight{{1, 5, 0}, 1, Rgbd(1), 1024});
+  const RenderOutput cut = render_or_fail(b.scene, {.threads = 1});
+  EXPECT_EQ(cut.statistics.rays(), whole.statistics.rays());
+  EXPECT_EQ(pixels_of(b.scene, {.crop = {1, 1, 1, 1}})[0], pixel_at(cut.picture, 1, 1).r);
+  for (std::size_t i = 0; i < whole.picture.rgb.size(); ++i) {
+    EXPECT_NEAR(cut.picture.rgb[i], whole.picture.rgb[i], 1e-15);  // another order of the same sum
+  }
+}
+
+// Colour and coverage are reconstructed alike, so an evenly glowing thing keeps colour = alpha.
+TEST(Render, TransparentBackgroundGivesMatchingAlpha) {
+  SceneBuilder b;
+  b.add(Sphere{{0, 0, 0}, 1}, b.material(Black{}, Rgbd(1)));
+  b.scene.settings.transparent_background = true;
+  b.background(5);
+  b.scene.settings.samples = 16;
+  b.scene.settings.filter = {FilterKind::mitchell, 2};
+  b.look({0, 0, -4}, {0, 0, 1}, {0, 1, 0}, 45);
+  const Picture picture = render_or_fail(b.scene).picture;
+  for (std::size_t p = 0; p < picture.alpha.size(); ++p) {
+    EXPECT_FLOAT_EQ(picture.alpha[p], static_cast<float>(picture.rgb[3 * p]));
+  }
+  EXPECT_EQ(picture.alpha[0], 0);
+}
+
+TEST(Render, RectangleLightsAreSeenFromTheSideTheyShineTo) {
+  SceneBuilder b;
+  b.add(Quad4{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}}, b.material(Black{}, Rgbd(3)));  // faces +z
+  b.scene.materials[0].one_sided_emission = true;
+  EXPECT_EQ(central_radiance(b, {0, 0, -5}), 0);
+  b.look({0, 0, 5}, {0, 0, -1}, {0, 1, 0}, 1e-3);
+  EXPECT_EQ(pixels_of(b.scene)[0], 3);
+}
+
 TEST(Render, CropOutsideOfTheFrameIsAUsageError) {
   const Scene scene = busy_scene();
   for (const PixelRect crop : {PixelRect{-1, 0, 5, 5}, PixelRect{48, 0, 5, 5},

@@ -40,6 +40,29 @@ TEST(Plan, EmptySceneOnlyMakesRays) {
   EXPECT_EQ(names_of(plan_of(b.scene)), std::vector<std::string>{"pinhole_rays"});
 }
 
+TEST(Plan, SurfacesThatNothingLightsAreNotShaded) {
+  SceneBuilder b;
+  b.add(Sphere{{0, 0, 0}, 1}, b.diffuse(0.5));
+  EXPECT_EQ(names_of(plan_of(b.scene)), (std::vector<std::string>{"pinhole_rays", "closest_hits"}));
+  EXPECT_TRUE(make_plan(b.scene, effects_of(b.scene), true).runs(StageId::plain_colors));
+}
+
+TEST(Plan, CoatOverBlackOnlyReflects) {
+  SceneBuilder b = plain_scene();
+  b.scene.shapes[0].material = b.material(Coat{1.5, Rgbd(0), b.color(Rgbd(0))});
+  EXPECT_EQ(names_of(plan_of(b.scene)),
+            (std::vector<std::string>{"pinhole_rays", "closest_hits", "surfaces", "coat"}));
+}
+
+TEST(Plan, BackgroundBehindATransparentPictureIsSeenInMirrorsOnly) {
+  SceneBuilder b = plain_scene();
+  b.background(1);
+  b.scene.settings.transparent_background = true;
+  EXPECT_FALSE(plan_of(b.scene).runs(StageId::escape));
+  b.add(Sphere{{2, 0, 0}, 1}, b.mirror(0.5));
+  EXPECT_TRUE(plan_of(b.scene).runs(StageId::escape));
+}
+
 // A use of an effect that cannot reach a pixel, and one that can.
 struct Use {
   const char* effect;
