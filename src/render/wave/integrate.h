@@ -112,6 +112,7 @@ class Integrator {
   // Moves rays to `waiting` until at most max_generation_ are left: those of the later samples, or,
   // of a single sample, those beyond the first max_generation_.
   void set_aside(std::vector<RayQueue<Real>>& waiting) {
+    wave_.rays.group_by_sample();
     while (wave_.rays.size() > max_generation_) {
       const std::size_t cut = wave_.rays.cut_near(wave_.rays.size() / 2);
       waiting.push_back(wave_.rays.split_off(cut > 0 ? cut : max_generation_));

@@ -5,8 +5,11 @@
 // the same whatever else shares the batch (docs/waves.md).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/math/vec.h"
@@ -23,8 +26,8 @@ template <class Real>
 struct RayQueue {
   std::vector<Vec3<Real>> origin, direction;
   std::vector<Source> source;
-  std::vector<Rgb<Real>> weight;     // of the radiance that comes along the ray, in the sample's
-  std::vector<SlotId> slot;          // not decreasing
+  std::vector<Rgb<Real>> weight;  // of the radiance that comes along the ray, in the sample's
+  std::vector<SlotId> slot;
   std::vector<MediumId> medium;      // what the ray starts in
   std::vector<std::uint64_t> path;   // names the branch of the ray tree: seeds its random numbers
   std::vector<std::uint32_t> depth;  // reflections and refractions so far
@@ -46,11 +49,40 @@ struct RayQueue {
   }
   void clear() { truncate(0); }
 
-  // The index nearest to `near`, not above it, at which a new sample's rays begin; 0 if none does.
+  // Brings the rays of each sample together without changing their order. Stages append by kind of
+  // surface, so a generation is not sorted by itself, and need not be unless it is cut.
+  void group_by_sample() {
+    std::vector<std::uint32_t> order(size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [this](std::uint32_t a, std::uint32_t b) { return slot[a] < slot[b]; });
+    const auto reorder = [&order](auto& values) {
+      auto sorted = values;
+      for (std::size_t i = 0; i < order.size(); ++i)
+        sorted[i] = values[order[i]];
+      values = std::move(sorted);
+    };
+    reorder(origin);
+    reorder(direction);
+    reorder(source);
+    reorder(weight);
+    reorder(slot);
+    reorder(medium);
+    reorder(path);
+    reorder(depth);
+  }
+
+  // Precondition: grouped by sample. An index near `near` at which another sample's rays begin; 0
+  // if all are of one sample.
   std::size_t cut_near(std::size_t near) const {
-    while (near > 0 && slot[near - 1] == slot[near])
-      --near;
-    return near;
+    std::size_t below = near;
+    while (below > 0 && slot[below - 1] == slot[below])
+      --below;
+    if (below > 0) return below;
+    std::size_t above = near + 1;
+    while (above < size() && slot[above - 1] == slot[above])
+      ++above;
+    return above < size() ? above : 0;
   }
 
   // Takes the rays from `begin` on out of the queue.
