@@ -39,11 +39,16 @@ bool ends_in_body(const ast::Item& item) {
   return std::visit(Visitor{is_block}, item.node);
 }
 
-std::string without_carriage_returns(std::string text) {
-  std::size_t at = 0;
-  while ((at = text.find("\r\n", at)) != std::string::npos)
-    text.erase(at, 1);
-  return text;
+std::string without_carriage_returns(std::string_view text) {
+  std::string lines;
+  for (const char byte : text) {
+    if (byte == '\n') {
+      while (!lines.empty() && lines.back() == '\r')
+        lines.pop_back();
+    }
+    lines += byte;
+  }
+  return lines;
 }
 
 }  // namespace
