@@ -39,14 +39,25 @@ Status flush(const std::filesystem::path& path) {
   return Unit{};
 }
 
+// The shell's `<(command)` and `/dev/stdin`: pipes that somebody has opened for writing.
+bool is_own_descriptor(const std::filesystem::path& path) {
+  const std::string& name = path.native();
+  return name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/") || name == "/dev/stdin";
+}
+
 }  // namespace
 
 Result<std::string> read_file(const std::filesystem::path& path, std::uint64_t max_bytes) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+  // A named pipe that nobody writes to would block open() for ever.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
   if (file.get() < 0) return io_error("read", path, errno);
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) return io_error("read", path, errno);
   if (S_ISDIR(info.st_mode)) return io_error("read", path, EISDIR);
+  if (S_ISFIFO(info.st_mode) && !is_own_descriptor(path)) {
+    return Error{ErrorCode::io, fmt::format("cannot read `{}`: not a file", path.string())};
+  }
+  if (::fcntl(file.get(), F_SETFL, 0) != 0) return io_error("read", path, errno);
   const auto too_large = [&] {
     return Error{ErrorCode::limit,
                  fmt::format("`{}` is larger than {} bytes", path.string(), max_bytes)};
@@ -66,21 +77,41 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uint64_t m
   }
 }
 
-Result<AtomicFile> AtomicFile::create(const std::filesystem::path& target) {
-  if (std::error_code ignored; std::filesystem::is_directory(target, ignored)) {
-    return io_error("write", target, EISDIR);
+std::filesystem::path follow_links(std::filesystem::path path) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  for (int i = 0; i < kMostLinks; ++i) {
+    std::error_code failure;
+    const std::filesystem::path next = std::filesystem::read_symlink(path, failure);
+    if (failure) break;
+    path = path.parent_path() / next;
   }
+  return path;
+}
+
+Result<AtomicFile> AtomicFile::create(const std::filesystem::path& name) {
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(name, failure);
+  if (std::filesystem::is_directory(status)) return io_error("write", name, EISDIR);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    return Error{ErrorCode::io, fmt::format("cannot write `{}`: it is a device, a pipe or a "
+                                            "socket, which a file would replace",
+                                            name.string())};
+  }
+  if (failure == std::errc::too_many_symbolic_link_levels) {
+    return io_error("write", name, failure.value());
+  }
+  const std::filesystem::path target = follow_links(name);
   const std::filesystem::path folder = target.parent_path();
   for (int attempt = 0;; ++attempt) {
     std::filesystem::path temporary =
-        folder / fmt::format(".{}.{}.{}.tmp", target.filename().string(), ::getpid(), attempt);
+        folder / fmt::format(".alhazen.{}.{}.tmp", ::getpid(), attempt);
     const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
                           S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
     if (fd >= 0) {
       ::close(fd);
       return AtomicFile(target, std::move(temporary));
     }
-    if (errno != EEXIST || attempt >= 1000) return io_error("write", target, errno);
+    if (errno != EEXIST || attempt >= 1000) return io_error("write", name, errno);
   }
 }
 

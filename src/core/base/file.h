@@ -11,14 +11,19 @@
 namespace alhazen {
 
 // The bytes of `path`. Fails with ErrorCode::io when it cannot be read, with ErrorCode::limit when
-// it holds more than `max_bytes`; a larger file is not read at all.
+// it holds more than `max_bytes`; a larger file is not read at all, nor is a named pipe.
 Result<std::string> read_file(const std::filesystem::path& path, std::uint64_t max_bytes);
 
+// What `path` stands for when it is a symbolic link, or a link to a link, whether or not there is
+// such a file; otherwise `path`.
+std::filesystem::path follow_links(std::filesystem::path path);
+
 // A file that is being written: bytes go to a temporary name in the folder of `target`; commit()
-// flushes them to the disk and renames. Destroyed without commit() it leaves nothing behind.
+// flushes them to the disk and renames. Destroyed without commit() it leaves nothing behind. A
+// symbolic link stays one: what it leads to is written. Devices, pipes and sockets are refused.
 class AtomicFile {
  public:
-  static Result<AtomicFile> create(const std::filesystem::path& target);
+  static Result<AtomicFile> create(const std::filesystem::path& name);
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&&) = delete;
   ~AtomicFile();
