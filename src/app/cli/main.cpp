@@ -37,7 +37,7 @@ ExitCode run(const Arguments& words) {
 }  // namespace alhazen
 
 int main(int count, char** words) {
-  alhazen::ignore_broken_pipes();
+  alhazen::ignore_write_signals();
   try {
     return static_cast<int>(alhazen::run({words + 1, words + count}));
   } catch (const std::bad_alloc&) {

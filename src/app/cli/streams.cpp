@@ -24,8 +24,9 @@ int write_all(int descriptor, std::string_view bytes) {
 
 }  // namespace
 
-void ignore_broken_pipes() {
+void ignore_write_signals() {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 Status write_stdout(std::string_view bytes) {

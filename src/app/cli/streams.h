@@ -8,8 +8,9 @@
 
 namespace alhazen {
 
-// A reader that goes away early (`| head`) must end in an error code, not in a signal.
-void ignore_broken_pipes();
+// A reader that goes away early (`| head`) and a file that outgrows its limit (`ulimit -f`) must
+// end in an error code, not in a signal.
+void ignore_write_signals();
 
 // Writes all of `bytes` to stdout, or says why not. A reader that went away is ErrorCode::io with
 // an empty message: it has seen what it wanted, and nothing is to be said.
