@@ -9,6 +9,7 @@
 #include "app/cli/load_images.h"
 #include "app/cli/load_scene.h"
 #include "app/cli/overrides.h"
+#include "app/cli/overwrite_check.h"
 #include "app/cli/provenance.h"
 #include "app/cli/streams.h"
 #include "core/base/file.h"
@@ -110,9 +111,27 @@ Status write_files(const RenderRequest& request, const PictureJob& job,
   return Unit{};
 }
 
+// Every file that the picture is made from.
+std::vector<std::filesystem::path> files_used(const RenderRequest& request,
+                                              const parser::Evaluation& evaluation) {
+  std::vector<std::filesystem::path> files = evaluation.files_read;
+  for (const ImageFile& image : evaluation.scene->images)
+    files.emplace_back(image.path);
+  const render::ColorSource colors = render::color_source(request.color_file);
+  for (const std::string& file : {colors.explicit_file, colors.environment_file}) {
+    if (!file.empty()) files.emplace_back(file);
+  }
+  return files;
+}
+
 // Everything that can be found wrong before the first ray.
-Status prepare(const RenderRequest& request, const PictureJob& job, Scene& scene,
+Status prepare(const RenderRequest& request, const PictureJob& job, parser::Evaluation& evaluation,
                PictureReport& report) {
+  const std::vector<std::string> outputs = {job.output, job.preview, request.statistics};
+  if (Status apart = check_overwrites(outputs, files_used(request, evaluation)); !apart) {
+    return apart;
+  }
+  Scene& scene = *evaluation.scene;
   apply_overrides(request.settings, scene.settings);
   const Result<render::PixelRect> window = picture_window(request, scene.settings);
   if (!window) return window.error();
@@ -121,6 +140,7 @@ Status prepare(const RenderRequest& request, const PictureJob& job, Scene& scene
   }
   if (Status good = check_writable(job.output); !good) return good;
   if (Status good = check_writable(job.preview); !good) return good;
+  if (Status good = check_writable(request.statistics); !good) return good;
   report.scene = request.scene;
   report.label = job.position.label;
   report.width = scene.settings.width;
@@ -147,10 +167,10 @@ ExitCode render_picture(const RenderRequest& request, const PictureJob& job,
   if (!eval) return alhazen::report(eval.error());
   LoadedScene loaded;
   if (const auto code = load_scene(request.scene, eval.value(), loaded)) return *code;
-  Scene& scene = *loaded.evaluation.scene;
-  if (const Status good = prepare(request, job, scene, report); !good) {
+  if (const Status good = prepare(request, job, loaded.evaluation, report); !good) {
     return report_failure(good.error());
   }
+  const Scene& scene = *loaded.evaluation.scene;
 
   DiagnosticSink image_errors;
   const LoadedImages images = load_images(scene, colors, image_errors);
