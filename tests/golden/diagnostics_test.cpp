@@ -1,7 +1,7 @@
 // tests/golden: diagnostics/<kind>/<case>.scn and, beside it, <case>.golden: what `alhazen check`
 // says about it. ALHAZEN_UPDATE_GOLDEN=1 in the environment rewrites the .golden files; read the
-// diff. A file <case>.defines holds what `-D` gives, one name=value a line. What a case includes
-// does not end in .scn.
+// diff. A file <case>.defines holds what `-D` gives, one name=value a line, or `--frames number`.
+// What a case includes does not end in .scn.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -26,6 +26,11 @@ struct Case {
   std::string path;  // from the root of the source, without extension
 };
 
+// gtest would print the bytes of the struct.
+void PrintTo(const Case& golden, std::ostream* out) {
+  *out << golden.path;
+}
+
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const auto& entry : fs::recursive_directory_iterator(kFolder)) {
@@ -42,6 +47,10 @@ parser::EvalOptions options_of(const std::string& path) {
   parser::EvalOptions options;
   std::ifstream defines(fs::path(ALHAZEN_SOURCE_DIR) / (path + ".defines"));
   for (std::string line; std::getline(defines, line);) {
+    if (line.starts_with("--frames ")) {
+      options.defines.push_back({"frame", line.substr(9), parser::Define::Option::frames});
+      continue;
+    }
     const std::size_t equals = line.find('=');
     options.defines.push_back({line.substr(0, equals), line.substr(equals + 1)});
   }

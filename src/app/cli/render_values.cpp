@@ -98,18 +98,18 @@ bool is_name(std::string_view text) {
 }  // namespace
 
 Result<PictureSize> to_size(const std::string& text) {
-  const auto sides = to_wholes(text, 'x', 2, 1, kMaxSide);
+  const auto sides = to_wholes(text, 'x', 2, 1, kMaxImageSide);
   if (!sides) {
     return Error{ErrorCode::usage,
                  fmt::format("expected WIDTHxHEIGHT in pixels, as in 1920x1080, each from 1 to {}, "
                              "found `{}`",
-                             kMaxSide, text)};
+                             kMaxImageSide, text)};
   }
   return PictureSize{(*sides)[0], (*sides)[1]};
 }
 
 Result<render::PixelRect> to_crop(const std::string& text) {
-  const auto numbers = to_wholes(text, ',', 4, 0, kMaxSide);
+  const auto numbers = to_wholes(text, ',', 4, 0, kMaxImageSide);
   if (!numbers || (*numbers)[2] == 0 || (*numbers)[3] == 0) {
     return Error{ErrorCode::usage,
                  fmt::format("expected X,Y,WIDTH,HEIGHT in pixels from the upper left corner, as "
@@ -135,7 +135,8 @@ Result<ReconstructionFilter> to_filter(const std::string& text) {
   if (!kind) return kind.error();
   ReconstructionFilter filter{kind.value(), render::usual_radius(kind.value())};
   if (colon == std::string::npos) return filter;
-  const Result<double> radius = to_number(text.substr(colon + 1), 0.5, 16);
+  const Result<double> radius =
+      to_number(text.substr(colon + 1), kMinFilterRadius, kMaxFilterRadius);
   if (!radius) return Error{ErrorCode::usage, "radius in pixels: " + radius.error().message};
   filter.radius = radius.value();
   return filter;

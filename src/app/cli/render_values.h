@@ -9,11 +9,6 @@
 
 namespace alhazen {
 
-// No side of a picture may be longer; far beyond any screen, and products of two such sides fit
-// into 64 bits with room to spare.
-inline constexpr int kMaxSide = 1 << 20;
-inline constexpr int kMaxSamples = 1 << 20;
-inline constexpr int kMaxDepth = 10'000;
 inline constexpr int kMaxThreads = 4096;
 
 Result<PictureSize> to_size(const std::string& text);              // 1920x1080

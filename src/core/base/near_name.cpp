@@ -6,6 +6,9 @@
 namespace alhazen {
 namespace {
 
+// The table grows with the square; nobody means a longer name.
+constexpr std::size_t kLongest = 200;
+
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -39,11 +42,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::optional<std::string_view> near_name(std::string_view name,
                                           std::span<const std::string_view> candidates) {
   std::optional<std::string_view> nearest;
+  if (name.size() > kLongest) return nearest;
   std::size_t smallest = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
     if (equal_but_for_case(name, candidate)) return candidate;
     // The difference in length is a lower bound of the distance.
-    if (candidate.size() > name.size() + smallest) continue;
+    if (candidate.size() > name.size() + smallest || name.size() > candidate.size() + smallest) {
+      continue;
+    }
     const std::size_t distance = edit_distance(name, candidate);
     // One letter for another would make every one-letter name near.
     if (distance >= std::max(name.size(), candidate.size())) continue;

@@ -8,6 +8,16 @@
 
 namespace alhazen {
 
+// What settings may be, from a scene as from the command line.
+inline constexpr int kMaxImageSide = 65536;
+inline constexpr int kMaxSamples = 1 << 20;
+inline constexpr int kMaxDepth = 1'000'000;
+inline constexpr double kMinFilterRadius = 0.5, kMaxFilterRadius = 16;
+inline constexpr std::int64_t kMaxSeed = std::int64_t{1} << 53;  // every one is a double, too
+
+// The most samples of a pixel where sampling is adaptive and nobody says how many.
+inline constexpr int kAdaptiveSamples = 1024;
+
 enum class FilterKind { box, tent, gaussian, mitchell };
 
 struct ReconstructionFilter {
@@ -16,7 +26,7 @@ struct ReconstructionFilter {
 };
 
 // Adaptive sampling stops a pixel when the standard error of its mean, largest of the channels, is
-// at most `threshold`, between `min_samples` and RenderSettings::samples.
+// at most `threshold`, between `min_samples` and RenderSettings::samples, which is larger.
 struct AdaptiveSampling {
   double threshold = 0.01;
   int min_samples = 16;

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "core/base/near_name.h"
+#include "parser/eval/habits.h"
 #include "parser/eval/property_check.h"
-#include "parser/eval/suggest.h"
 
 namespace alhazen::parser {
 namespace {
@@ -120,7 +121,9 @@ std::optional<Property> BlockBuilder::read(const PropertySpec& spec, const ast::
       context
           .report<DiagnosticKind::kind_missing>(item.name.span, spec.name,
                                                 fmt::join(names_of(spec.blocks), "`, `"))
-          .hint(example_hint(*spec.blocks[0]));
+          .hint((spec.types & set_of(Type::color)) != 0
+                    ? fmt::format("one colour is written `{} rgb(0.3, 0.5, 0.8)`", spec.name)
+                    : example_hint(*spec.blocks[0]));
     } else {
       context.report<DiagnosticKind::property_takes_no_body>(item.name.span, spec.name,
                                                              describe(spec.types));
@@ -174,7 +177,7 @@ std::optional<Property> BlockBuilder::read_kind(const PropertySpec& spec, const 
   Diagnostic& d = context.report<DiagnosticKind::unknown_kind>(
       head.span, spec.name, fmt::join(names_of(spec.blocks), "`, `"));
   if (name != nullptr) {
-    if (const auto meant = nearest(name->name, names_of(spec.blocks))) {
+    if (const auto meant = near_name(name->name, names_of(spec.blocks))) {
       d.hint(fmt::format("did you mean `{}`?", *meant));
     }
   }
@@ -204,7 +207,12 @@ void BlockBuilder::report_unknown(const ast::Name& name, const ScopePtr& scope) 
     candidates.insert(candidates.end(), {"group", "object", "light"});
   }
   const Binding* binding = scope->find(name.text);
-  if (const auto meant = nearest(name.text, candidates)) {
+  std::string habit;
+  if (schema.places) habit = foreign_item_hint(name.text);
+  if (habit.empty() && schema.find("material") != nullptr) habit = foreign_material_hint(name.text);
+  if (binding == nullptr && !habit.empty()) {
+    d.hint(std::move(habit));
+  } else if (const auto meant = near_name(name.text, candidates)) {
     d.hint(fmt::format("did you mean `{}`?", *meant));
   } else if (schema.places && binding != nullptr &&
              (binding->value.is(Type::function) || binding->value.is(Type::object))) {
@@ -223,6 +231,13 @@ std::optional<Properties> BlockBuilder::finish() {
   for (const auto& table : properties_.schema().tables) {
     for (const PropertySpec& spec : table) {
       if (spec.presence != Presence::required || properties_.has(spec.name)) continue;
+      if (&properties_.schema() == &scene_schema()) {
+        evaluator_.context()
+            .report<DiagnosticKind::missing_camera>(properties_.head(), spec.name)
+            .hint(example_hint(*spec.blocks[0]));
+        broken_ = true;
+        continue;
+      }
       evaluator_.context()
           .report<DiagnosticKind::missing_property>(properties_.head(), properties_.schema().name,
                                                     spec.name)

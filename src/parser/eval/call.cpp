@@ -1,10 +1,10 @@
 // parser/eval: calls of functions of the scene.
 #include <fmt/format.h>
 
+#include "core/base/near_name.h"
 #include "parser/eval/block_builder.h"
 #include "parser/eval/evaluator.h"
 #include "parser/eval/place.h"
-#include "parser/eval/suggest.h"
 
 namespace alhazen::parser {
 
@@ -49,7 +49,7 @@ Value Evaluator::call_function(const ast::Expr& expr, const ast::Call& call,
         std::vector<std::string_view> names;
         for (const ast::Parameter& parameter : definition.parameters)
           names.push_back(parameter.name.text);
-        if (const auto meant = nearest(argument.name->text, names)) {
+        if (const auto meant = near_name(argument.name->text, names)) {
           d.hint(fmt::format("did you mean `{}`?", *meant));
         }
         d.label(definition.name.span, "defined here");

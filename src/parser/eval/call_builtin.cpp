@@ -4,7 +4,6 @@
 #include "parser/eval/evaluator.h"
 #include "parser/eval/operator.h"
 #include "parser/eval/property_check.h"
-#include "parser/eval/suggest.h"
 
 namespace alhazen::parser {
 namespace {

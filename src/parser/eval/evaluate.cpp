@@ -60,7 +60,8 @@ Evaluation evaluate(FileId file, const std::filesystem::path& path,
   const auto end_of_line = static_cast<std::uint32_t>(sources.text(file).substr(0, 6).size());
   BlockBuilder builder(evaluator, scene_schema(), {file, 0, end_of_line});
   const bool ran = evaluator.run_file(file, path, {evaluator.root_scope(), builder, nullptr});
-  if (ran && !context.halted()) {
+  // What seems to be missing may stand in a file that could not be read.
+  if (ran && !context.halted() && !evaluator.include_failed()) {
     evaluator.report_unused_defines();
     out.scene = build(context, builder, scene_hash(evaluator.text_hash(), options));
   }

@@ -14,9 +14,12 @@
 
 namespace alhazen::parser {
 
-// `-D name=text`: gives the `param` of that name another value. The text is an expression.
+// Gives the `param` of that name another value; the text is an expression. `option` is where it was
+// written, for messages: `-D name=text`, or `--frames text` for the param `frame`.
 struct Define {
+  enum class Option { define, frames };
   std::string name, text;
+  Option option = Option::define;
 };
 
 // A scene is untrusted input: each of these ends in an error of ErrorCode::limit that says what to

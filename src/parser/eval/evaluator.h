@@ -67,6 +67,9 @@ class Evaluator {
   // param.cpp: errors for `-D` names that no `param` took.
   void report_unused_defines();
 
+  // Whether the scene is known only in part because a file of it is missing or broken.
+  bool include_failed() const { return include_failed_; }
+
   const ScopePtr& root_scope() const { return root_; }
   std::uint64_t text_hash() const { return text_hash_; }
 
@@ -107,8 +110,10 @@ class Evaluator {
   Flow run_for(const ast::For& loop, const Body& body);
   Flow run_if(const ast::If& statement, const Body& body);
   void run_param(const ast::Param& param, const Body& body);
+  SourceSpan show_define(const Define& define);
   std::optional<Value> override_for(const ast::Param& param, const Value& default_value);
   void run_include(const ast::Include& include, const Body& body);
+  bool try_include(const ast::Include& include, const Body& body);
   bool define(const ast::Name& name, Value value, const Body& body);
 
   // place.cpp
@@ -123,12 +128,13 @@ class Evaluator {
   Evaluation& out_;
   ScopePtr root_;                                                       // of the main text
   std::unordered_map<std::string, std::unique_ptr<ParsedFile>> files_;  // by canonical path
-  std::vector<std::unique_ptr<ParsedFile>> define_files_;
+  std::vector<ast::ExprPtr> define_values_;
   std::vector<std::string> include_stack_;
   std::vector<std::string_view> defines_used_;
   std::vector<ScopePtr> captured_;  // scopes that functions see
   std::uint64_t text_hash_;
   std::uint64_t source_bytes_ = 0;
+  bool include_failed_ = false;
   int nesting_ = 0, call_depth_ = 0;
 };
 

@@ -1,12 +1,13 @@
 // parser/eval: expressions to values.
 #include <fmt/format.h>
 
+#include "core/base/near_name.h"
 #include "core/base/overloaded.h"
 #include "parser/eval/color_convert.h"
 #include "parser/eval/evaluator.h"
+#include "parser/eval/habits.h"
 #include "parser/eval/operator.h"
 #include "parser/eval/schema/schema.h"
-#include "parser/eval/suggest.h"
 
 namespace alhazen::parser {
 
@@ -85,8 +86,11 @@ Value Evaluator::evaluate_name(const ast::Expr& expr, std::string_view name,
     for (const BlockSchema* kind : kinds)
       candidates.push_back(kind->name);
   }
-  if (const auto meant = nearest(name, candidates))
+  if (std::string hint = foreign_value_hint(name); !hint.empty()) {
+    d.hint(std::move(hint));
+  } else if (const auto meant = near_name(name, candidates)) {
     d.hint(fmt::format("did you mean `{}`?", *meant));
+  }
   return Poison{};
 }
 

@@ -32,7 +32,7 @@ std::optional<std::filesystem::path> resolve_file(Context& context, SourceSpan a
   const auto plain = error ? std::filesystem::weakly_canonical(wanted, error) : path;
   if (context.options().files == FileAccess::below_scene && !is_below(plain, context.root())) {
     context.report<DiagnosticKind::file_outside>(at, name).hint(
-        "copy the file there, or render with `--allow-outside` if you trust the scene");
+        "copy the file there, or allow it with `--allow-outside` if you trust the scene");
     return std::nullopt;
   }
   if (path.empty() || !std::filesystem::exists(path, error)) {

@@ -32,28 +32,33 @@ bool Evaluator::run_file(FileId id, const std::filesystem::path& path, const Bod
 // The items of the file run as if they stood in its place, each time it is included; the file is
 // read once.
 void Evaluator::run_include(const ast::Include& include, const Body& body) {
+  if (!try_include(include, body)) include_failed_ = true;
+}
+
+// False if the text cannot be had.
+bool Evaluator::try_include(const ast::Include& include, const Body& body) {
   const auto path = resolve_file(context_, include.path_span, include.path);
-  if (!path) return;
+  if (!path) return false;
   const std::string key = path->string();
   const auto on_stack = std::find(include_stack_.begin(), include_stack_.end(), key);
   if (on_stack != include_stack_.end()) {
     context_.report<DiagnosticKind::include_cycle>(include.path_span, include.path);
-    return;
+    return false;
   }
   const auto depth = static_cast<std::size_t>(context_.limits().include_depth);
   if (include_stack_.size() > depth) {
     context_.halt<DiagnosticKind::nested_too_deep>(include.path_span, "includes", depth);
-    return;
+    return false;
   }
   const auto known = files_.find(key);
   if (known != files_.end()) {
-    if (known->second->broken) return;
+    if (known->second->broken) return false;
     context_.enter_include(include.path_span);
     include_stack_.push_back(key);
     run(known->second->tree.items, body);
     include_stack_.pop_back();
     context_.leave();
-    return;
+    return true;
   }
   auto text = read_file(*path, context_.limits().source_bytes - source_bytes_);
   if (!text) {
@@ -64,7 +69,7 @@ void Evaluator::run_include(const ast::Include& include, const Body& body) {
       context_.report<DiagnosticKind::unreadable_file>(include.path_span, include.path,
                                                        text.error().message);
     }
-    return;
+    return false;
   }
   // Messages call it as the author would from where the main text was named.
   const std::filesystem::path here = context_.sources().name(include.path_span.file);
@@ -72,8 +77,9 @@ void Evaluator::run_include(const ast::Include& include, const Body& body) {
   const FileId id = context_.sources().add(shown, std::move(text).value());
   out_.files_read.push_back(*path);
   context_.enter_include(include.path_span);
-  run_file(id, *path, body);
+  const bool ran = run_file(id, *path, body);
   context_.leave();
+  return ran;
 }
 
 }  // namespace alhazen::parser

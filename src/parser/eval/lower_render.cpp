@@ -29,13 +29,18 @@ std::optional<RenderSettings> lower_render(Context& context, const Properties& p
     return std::nullopt;
   }
   if (p.has("adaptive")) {
-    if (p.has("min_samples") && p.number("min_samples") > out.samples) {
-      context.report<DiagnosticKind::min_samples_above>(
-          p.span("min_samples"), number_text(p.number("min_samples")), out.samples);
+    AdaptiveSampling adaptive;
+    adaptive.threshold = p.number("adaptive");
+    if (p.has("min_samples")) adaptive.min_samples = static_cast<int>(p.number("min_samples"));
+    if (!p.has("samples")) out.samples = kAdaptiveSamples;
+    if (out.samples <= adaptive.min_samples) {
+      context
+          .report<DiagnosticKind::samples_not_above_minimum>(
+              p.span(p.has("samples") ? "samples" : "min_samples"), out.samples,
+              adaptive.min_samples)
+          .hint("`samples` is the most and `min_samples` the fewest that a pixel takes");
       return std::nullopt;
     }
-    AdaptiveSampling adaptive{p.number("adaptive"), out.samples < 16 ? out.samples : 16};
-    if (p.has("min_samples")) adaptive.min_samples = static_cast<int>(p.number("min_samples"));
     out.adaptive = adaptive;
   }
   out.max_depth = static_cast<int>(p.number("depth"));

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "core/base/near_name.h"
 #include "parser/eval/block_builder.h"
 #include "parser/eval/evaluator.h"
 #include "parser/eval/schema/types.h"
-#include "parser/eval/suggest.h"
 #include "parser/parse/parse.h"
 
 namespace alhazen::parser {
@@ -29,6 +29,16 @@ bool lies_in(const Value& value, const Value& allowed) {
 
 }  // namespace
 
+// The value of `define` in a text that shows it as it stands on the command line.
+SourceSpan Evaluator::show_define(const Define& define) {
+  const std::string start =
+      define.option == Define::Option::frames ? "--frames " : "-D " + define.name + "=";
+  const FileId id = context_.sources().add("command line", start + define.text);
+  context_.set_folder(id, context_.root());
+  const auto begin = static_cast<std::uint32_t>(start.size());
+  return {id, begin, static_cast<std::uint32_t>(begin + define.text.size())};
+}
+
 // The value that `-D` gives this parameter, if one does: nothing after a report, too, so that the
 // default stands in.
 std::optional<Value> Evaluator::override_for(const ast::Param& param, const Value& default_value) {
@@ -38,33 +48,24 @@ std::optional<Value> Evaluator::override_for(const ast::Param& param, const Valu
   }
   if (define == nullptr) return std::nullopt;
   defines_used_.push_back(define->name);
-  auto file = std::make_unique<ParsedFile>();
-  const std::string start = "#scn 1\nlet " + define->name + " = ";
-  const FileId id = context_.sources().add("-D " + define->name, start + define->text + "\n");
-  const auto begin = static_cast<std::uint32_t>(start.size());
-  const SourceSpan whole{id, begin, static_cast<std::uint32_t>(begin + define->text.size())};
-  context_.set_folder(id, context_.root());
+  const SourceSpan whole = show_define(*define);
   context_.sink().set_trace({});
   const std::size_t errors_before = context_.sink().error_count();
-  file->tree = parse(id, context_.sources(), context_.sink());
+  ast::ExprPtr expr =
+      parse_expression(whole.file, whole.begin, context_.sources(), context_.sink());
   if (context_.sink().error_count() > errors_before) return std::nullopt;
-  const ast::Expr* expr = nullptr;
-  if (file->tree.items.size() == 1) {
-    const auto* let = std::get_if<ast::Let>(&file->tree.items[0]->node);
-    if (let != nullptr && let->name.text == define->name) expr = let->value.get();
-  }
-  if (expr == nullptr || expr->span.begin < begin) {
+  if (expr == nullptr) {
     context_.report<DiagnosticKind::define_not_expression>(whole, define->name);
     return std::nullopt;
   }
   // Only what is built in is visible: the value does not depend on where the parameter stands.
-  Value value = evaluate(*expr, new_scope(nullptr));
-  define_files_.push_back(std::move(file));
+  define_values_.push_back(std::move(expr));
+  const Value value = evaluate(*define_values_.back(), new_scope(nullptr));
   if (value.is_poison()) return std::nullopt;
   if (value.type() != default_value.type()) {
     context_
-        .report<DiagnosticKind::define_type>(
-            expr->span, define->name, a_type_name(default_value.type()), a_type_name(value.type()))
+        .report<DiagnosticKind::define_type>(whole, define->name, a_type_name(default_value.type()),
+                                             a_type_name(value.type()))
         .label(param.value->span,
                fmt::format("the default is {}", a_type_name(default_value.type())));
     return std::nullopt;
@@ -112,10 +113,9 @@ void Evaluator::run_param(const ast::Param& param, const Body& body) {
   if (auto overridden = override_for(param, by_default)) {
     value = *overridden;
     if (param.range && !lies_in(value, range)) {
-      const auto& let = std::get<ast::Let>(define_files_.back()->tree.items[0]->node);
       context_
-          .report<DiagnosticKind::param_out_of_range>(let.value->span, param.name.text,
-                                                      to_text(range, 80), to_text(value, 80))
+          .report<DiagnosticKind::define_out_of_range>(define_values_.back()->span, param.name.text,
+                                                       to_text(range, 80), to_text(value, 80))
           .label(param.range->span, "the range");
     }
   }
@@ -130,13 +130,20 @@ void Evaluator::report_unused_defines() {
     if (std::find(defines_used_.begin(), defines_used_.end(), define.name) != defines_used_.end()) {
       continue;
     }
-    const FileId id = context_.sources().add("-D", define.name + "=" + define.text);
-    const SourceSpan span{id, 0, static_cast<std::uint32_t>(define.name.size())};
+    const SourceSpan value = show_define(define);
+    if (define.option == Define::Option::frames) {
+      context_.report<DiagnosticKind::frames_without_param>(value).hint(
+          "write `param frame = 1` and use `frame` in it");
+      continue;
+    }
+    const auto end_of_name = value.begin - 1;
+    const SourceSpan span{value.file, end_of_name - static_cast<std::uint32_t>(define.name.size()),
+                          end_of_name};
     Diagnostic& d = context_.report<DiagnosticKind::unknown_define>(span, define.name);
     std::vector<std::string_view> names;
     for (const ParamInfo& param : out_.params)
       names.push_back(param.name);
-    if (const auto meant = nearest(define.name, names)) {
+    if (const auto meant = near_name(define.name, names)) {
       d.hint(fmt::format("did you mean `{}`?", *meant));
     } else if (names.empty()) {
       d.hint("the scene has no `param`");

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "parser/eval/lower.h"
-#include "parser/eval/suggest.h"
 
 namespace alhazen::parser {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "core/base/near_name.h"
 #include "parser/eval/builtin/componentwise.h"
 #include "parser/eval/schema/types.h"
-#include "parser/eval/suggest.h"
 
 namespace alhazen::parser {
 namespace {
@@ -29,7 +29,7 @@ bool check_word(Context& context, const PropertySpec& spec, const std::string& w
   if (std::find(spec.words.begin(), spec.words.end(), word) != spec.words.end()) return true;
   Diagnostic& d = context.report<DiagnosticKind::unknown_word>(span, spec.name, word);
   const std::vector<std::string_view> words(spec.words.begin(), spec.words.end());
-  if (const auto meant = nearest(word, words)) d.hint(fmt::format("did you mean `{}`?", *meant));
+  if (const auto meant = near_name(word, words)) d.hint(fmt::format("did you mean `{}`?", *meant));
   d.hint(fmt::format("it is one of `{}`", fmt::join(words, "`, `")));
   return false;
 }
@@ -46,7 +46,7 @@ std::string conversion_hint(TypeSet wanted, const Value& given) {
                        number_text(v.y), number_text(v.z));
   }
   if ((wanted & kAngle) != 0 && given.is(Type::number)) {
-    return fmt::format("write `{0}deg` or `{0}rad`", to_text(given, 40));
+    return fmt::format("write `{}deg`", to_text(given, 40));
   }
   if ((wanted & kAngles) != 0 && given.is(Type::vec3)) {
     return "angles carry a unit: `<0, 30deg, 0>`";
@@ -60,6 +60,7 @@ std::string conversion_hint(TypeSet wanted, const Value& given) {
   if ((wanted & kMaterial) != 0 && (given.is(Type::color) || given.is(Type::texture))) {
     return "write `diffuse { color ... }`";
   }
+  if ((wanted & kVec3) != 0 && given.is(Type::vec2)) return "it needs three components";
   if ((wanted & kString) != 0 && given.is(Type::number)) return "write it in quotes";
   return "";
 }

@@ -9,7 +9,25 @@ namespace {
 
 constexpr ForeignWord kWords[] = {
 #define ALHAZEN_FOREIGN_WORD(spelling, meaning, hint) {spelling, TokenKind::meaning, hint},
+#define ALHAZEN_POSITIONAL(block, example)
 #include "parser/parse/habits.def"
+#undef ALHAZEN_POSITIONAL
+#undef ALHAZEN_FOREIGN_WORD
+};
+
+constexpr std::string_view kPositionalBlocks[] = {
+#define ALHAZEN_FOREIGN_WORD(spelling, meaning, hint)
+#define ALHAZEN_POSITIONAL(block, example) block,
+#include "parser/parse/habits.def"
+#undef ALHAZEN_POSITIONAL
+#undef ALHAZEN_FOREIGN_WORD
+};
+
+constexpr std::string_view kNamedExamples[] = {
+#define ALHAZEN_FOREIGN_WORD(spelling, meaning, hint)
+#define ALHAZEN_POSITIONAL(block, example) example,
+#include "parser/parse/habits.def"
+#undef ALHAZEN_POSITIONAL
 #undef ALHAZEN_FOREIGN_WORD
 };
 
@@ -40,6 +58,16 @@ std::string_view nearest_keyword(std::string_view word) {
   const auto found = std::find_if(kItemKeywords.begin(), kItemKeywords.end(),
                                   [&](std::string_view k) { return one_slip_apart(word, k); });
   return found == kItemKeywords.end() ? std::string_view() : *found;
+}
+
+std::string_view named_values_example(std::string_view block) {
+  const auto found = std::find(std::begin(kPositionalBlocks), std::end(kPositionalBlocks), block);
+  if (found == std::end(kPositionalBlocks)) return {};
+  return kNamedExamples[found - std::begin(kPositionalBlocks)];
+}
+
+std::span<const std::string_view> positional_blocks() {
+  return kPositionalBlocks;
 }
 
 }  // namespace alhazen::parser

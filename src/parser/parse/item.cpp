@@ -68,6 +68,7 @@ ast::Let Parser::parse_let() {
   next();
   ast::Let let;
   if (const auto name = expect_name("the name of the value")) let.name = *name;
+  named_.push_back(let.name.text);
   expect(TokenKind::equal);
   let.value = parse_expression();
   return let;
@@ -78,6 +79,7 @@ ast::Param Parser::parse_param() {
   next();
   ast::Param param;
   if (const auto name = expect_name("the name of the parameter")) param.name = *name;
+  named_.push_back(param.name.text);
   expect(TokenKind::equal);
   param.value = parse_expression();
   if (take(TokenKind::kw_in)) param.range = parse_expression();

@@ -24,6 +24,11 @@ ast::File parse(FileId file, const SourceManager& sources, DiagnosticSink& sink,
   return tree;
 }
 
+ast::ExprPtr parse_expression(FileId file, std::uint32_t begin, const SourceManager& sources,
+                              DiagnosticSink& sink, const ParseLimits& limits) {
+  return Parser(file, sources.text(file), begin, sink, limits).parse_whole_expression();
+}
+
 Parser::Parser(FileId file, std::string_view text, std::uint32_t begin, DiagnosticSink& sink,
                const ParseLimits& limits)
     : file_(file), sink_(sink), limits_(limits), tokens_(file, text, begin, sink) {}
@@ -34,6 +39,11 @@ void Parser::parse_scene(ast::File& file) {
   while (!at(TokenKind::end))
     file.items.push_back(parse_item());
   file.dangling = tokens_.take_comments();
+}
+
+ast::ExprPtr Parser::parse_whole_expression() {
+  ast::ExprPtr expression = parse_expression();
+  return panic_ || !at(TokenKind::end) ? nullptr : std::move(expression);
 }
 
 }  // namespace alhazen::parser

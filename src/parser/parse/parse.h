@@ -1,6 +1,8 @@
 // parser/parse: text to tree by recursive descent. Never throws, never stops at the first error.
 #pragma once
 
+#include <cstdint>
+
 #include "core/diag/diagnostic.h"
 #include "parser/ast/ast.h"
 
@@ -18,5 +20,10 @@ struct ParseLimits {
 // nodes and is not to be evaluated.
 ast::File parse(FileId file, const SourceManager& sources, DiagnosticSink& sink,
                 const ParseLimits& limits = {});
+
+// The expression that the text is from byte `begin` to its end. Null if something is wrong with it,
+// which is reported, or if something follows it, which is not.
+ast::ExprPtr parse_expression(FileId file, std::uint32_t begin, const SourceManager& sources,
+                              DiagnosticSink& sink, const ParseLimits& limits = {});
 
 }  // namespace alhazen::parser

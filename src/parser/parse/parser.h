@@ -27,6 +27,7 @@ class Parser {
          const ParseLimits& limits);
 
   void parse_scene(ast::File& file);
+  ast::ExprPtr parse_whole_expression();
 
  private:
   // ---- items: item.cpp, function.cpp, control.cpp, property.cpp, body.cpp -----------------------
@@ -48,6 +49,7 @@ class Parser {
   ast::Property parse_property(const Token& name);
   bool take_foreign_word(ast::Item& item);
   void after_property(const ast::Property& property);
+  std::string rest_in_parentheses(const ast::Expr& first);
   ast::Body parse_body();
 
   // ---- expressions: expression.cpp, operators.cpp, postfix.cpp, primary.cpp ---------------------
@@ -168,6 +170,9 @@ class Parser {
   };
   void watch_indentation(SourceSpan opener, std::uint32_t opener_indentation);
 
+  // Whether a `let` or a `param` before has this name.
+  bool is_named(std::string_view name) const;
+
   FileId file_;
   DiagnosticSink& sink_;
   ParseLimits limits_;
@@ -175,6 +180,8 @@ class Parser {
   std::vector<ast::Comment> interior_;  // of the item that is being parsed
   Diagnostic unreported_;
   std::optional<Suspect> suspect_;
+  std::string_view block_;          // name of the block whose body is being parsed, "" in none
+  std::vector<std::string> named_;  // by `let` and `param`, for hints
   int nesting_ = 0;
   int tallest_ = 0;              // height of the highest expression in the body being parsed
   int open_brackets_ = 0;        // in the item being parsed

@@ -117,7 +117,11 @@ ast::ExprPtr Parser::parse_parenthesized() {
   const Scoped brackets(open_brackets_, open_brackets_ + 1);
   ast::ExprPtr inner = parse_expression();
   const int below = inner->height;
-  close(TokenKind::right_paren, span(opener), "`)`");
+  if (at(TokenKind::comma)) {
+    fail_expected("`)`").label(span(opener), "opened here").hint("vectors are written `<0, 1, 0>`");
+  } else {
+    close(TokenKind::right_paren, span(opener), "`)`");
+  }
   return make(opener.begin, ast::Parenthesized{std::move(inner)}, below);
 }
 
@@ -132,6 +136,9 @@ ast::ExprPtr Parser::parse_object_or_name() {
 
 ast::ExprPtr Parser::parse_block(ast::ExprPtr head) {
   const std::uint32_t begin = head->span.begin;
+  const auto* name = std::get_if<ast::NameRef>(&head->node);
+  const std::string block_name = name != nullptr ? name->name : "";
+  const Scoped inside(block_, std::string_view(block_name));
   const int outside = std::exchange(tallest_, head->height);
   ast::Block block{std::move(head), parse_body()};
   const int below = std::exchange(tallest_, outside);

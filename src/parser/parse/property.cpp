@@ -1,4 +1,5 @@
 // parser/parse: items that begin with a name.
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "parser/parse/habits.h"
@@ -32,12 +33,16 @@ ast::Property Parser::parse_property(const Token& name) {
   if (at(TokenKind::equal) || at(TokenKind::colon)) {
     const Token sign = next();
     if (sign.flaw == Flaw::none) {
+      const bool is_change = sign.kind == TokenKind::equal && is_named(text(name));
       report<DiagnosticKind::needless_assignment>(span(sign), text(sign))
-          .hint(fmt::format("write `{0} ...` for a property, `let {0} = ...` to name a value",
-                            text(name)));
+          .hint(is_change
+                    ? "names cannot change: name the new value with another `let`"
+                    : fmt::format("write `{0} ...` for a property, `let {0} = ...` to name a value",
+                                  text(name)));
     }
   }
   if (at(TokenKind::left_brace)) {
+    const Scoped block(block_, text(name));
     property.value = parse_body();
   } else if (at_expression()) {
     property.value = parse_expression();
@@ -51,6 +56,26 @@ ast::Property Parser::parse_property(const Token& name) {
     if (update) report.hint("values do not change: name the new one with `let`");
   }
   return property;
+}
+
+// "(0, 0, 1)" where `first` was 0 and `, 0, 1>` comes next.
+std::string Parser::rest_in_parentheses(const ast::Expr& first) {
+  constexpr std::size_t kMostTokens = 16;
+  Token operand;
+  operand.begin = first.span.begin;
+  operand.end = first.span.end;
+  std::string out = "(" + std::string(text(operand));
+  std::size_t ahead = 0;
+  for (; !at(TokenKind::greater, ahead); ++ahead) {
+    if (ahead == kMostTokens || at(TokenKind::end, ahead)) return "(...)";
+    out += text(peek(ahead));
+    if (at(TokenKind::comma, ahead)) out += ' ';
+  }
+  return out + ")";
+}
+
+bool Parser::is_named(std::string_view name) const {
+  return std::find(named_.begin(), named_.end(), name) != named_.end();
 }
 
 // What follows a property and cannot begin an item, where the meaning is plain.
@@ -68,11 +93,14 @@ void Parser::after_property(const ast::Property& property) {
   if (!at(TokenKind::comma)) return;
   const auto* comparison = value != nullptr ? std::get_if<ast::Binary>(&(*value)->node) : nullptr;
   if (comparison != nullptr && comparison->op == ast::BinaryOperator::less) {
-    // `radius center <0, 1, 0>`: the value of radius is missing.
+    // `radius center <0, 1, 0>`: the value of radius is missing; `color rgb <0, 0, 1>`.
+    const auto* function = std::get_if<ast::NameRef>(&comparison->left->node);
+    const bool is_color = function != nullptr && function->name.starts_with("rgb");
     fail_expected("the next item")
-        .hint(
-            fmt::format("`<` was read as a comparison: the value of `{}` may be missing before it",
-                        property.name.text));
+        .hint(is_color ? fmt::format("write `rgb{}`", rest_in_parentheses(*comparison->right))
+                       : fmt::format("`<` was read as a comparison: the value of `{}` may be "
+                                     "missing before it",
+                                     property.name.text));
     return;
   }
   report<DiagnosticKind::needless_separator>(span(next()), ",")

@@ -1,6 +1,7 @@
 // parser/parse: what to say about an error, and where to go on after it.
 #include <fmt/format.h>
 
+#include "parser/parse/habits.h"
 #include "parser/parse/parser.h"
 
 namespace alhazen::parser {
@@ -111,7 +112,11 @@ void Parser::fail_not_an_item() {
     case TokenKind::less:
     case TokenKind::left_bracket:
     case TokenKind::left_paren:
-      report.hint("a property has one value: `center <1, 2, 3>`, `size 2`");
+      if (const std::string_view example = named_values_example(block_); !example.empty()) {
+        report.hint(fmt::format("values have names here: `{}`", example));
+      } else {
+        report.hint("a property has one value, after its name");
+      }
       break;
     case TokenKind::left_brace:
       report.hint("a body follows a name: `sphere { ... }`");

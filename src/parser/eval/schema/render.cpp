@@ -1,4 +1,5 @@
 // parser/eval: the block of the settings. core/scene/settings.h says what each is.
+#include "core/scene/settings.h"
 #include "parser/eval/schema/schema.h"
 #include "parser/eval/schema/types.h"
 
@@ -10,25 +11,26 @@ constexpr std::string_view kFilters[] = {"box", "tent", "gaussian", "mitchell"};
 constexpr PropertySpec kRender[] = {
     {.name = "size",
      .types = kVec2,
-     .range = integers(1, 65536),
+     .range = integers(1, kMaxImageSide),
      .default_value = vec2_default(640, 360),
      .doc = "width and height of the picture in pixels"},
     {.name = "samples",
      .types = kNumber,
-     .range = integers(1, 1048576),
+     .range = integers(1, kMaxSamples),
      .default_value = number_default(16),
-     .doc = "for each pixel, at most that when sampling is adaptive; 1 is the pixel's centre"},
+     .doc = "for each pixel; 1 is the pixel's centre. With `adaptive` at most that, and 1024 if it "
+            "is not written"},
     {.name = "adaptive",
      .types = kNumber,
      .range = above(0),
      .doc = "stop a pixel when the standard error of its mean is at most this"},
     {.name = "min_samples",
      .types = kNumber,
-     .range = integers(2, 1048576),
-     .doc = "before `adaptive` may stop a pixel; 16, or `samples` if that is less"},
+     .range = integers(2, kMaxSamples),
+     .doc = "before `adaptive` may stop a pixel, less than `samples`; 16 if not given"},
     {.name = "depth",
      .types = kNumber,
-     .range = integers(0, 1000000),
+     .range = integers(0, kMaxDepth),
      .default_value = number_default(16),
      .doc = "reflections and refractions along a path"},
     {.name = "cutoff",
@@ -43,7 +45,7 @@ constexpr PropertySpec kRender[] = {
      .doc = "how samples make a pixel"},
     {.name = "filter_radius",
      .types = kNumber,
-     .range = between(0.5, 16),
+     .range = between(kMinFilterRadius, kMaxFilterRadius),
      .doc = "in pixels; usual for the filter if not given: box 0.5, tent 1, gaussian 1.5, "
             "mitchell 2"},
     {.name = "transparent_background",
@@ -52,7 +54,7 @@ constexpr PropertySpec kRender[] = {
      .doc = "alpha 0 where nothing is seen"},
     {.name = "seed",
      .types = kNumber,
-     .range = integers(0, 9007199254740992),
+     .range = integers(0, static_cast<double>(kMaxSeed)),
      .default_value = number_default(0),
      .doc = "another gives other random numbers"},
 };

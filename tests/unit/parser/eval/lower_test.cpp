@@ -119,6 +119,17 @@ TEST(Camera, FrameIsLeftHanded) {
   EXPECT_EQ(std::get<PerspectiveCamera>(e.scene().camera.projection).lens->focus_distance, 6);
 }
 
+TEST(Settings, AdaptiveSamplingHasRoomUnlessToldOtherwise) {
+  const auto settings_of = [](const char* render) {
+    Evaluated e;
+    evaluate_into(e, std::string(kCamera) + render);
+    return e.scene().settings;
+  };
+  EXPECT_EQ(settings_of("render { size <8, 8> }").samples, 16);
+  EXPECT_EQ(settings_of("render { adaptive 0.01 }").samples, kAdaptiveSamples);
+  EXPECT_EQ(settings_of("render { adaptive 0.01  samples 17 }").samples, 17);
+}
+
 TEST(Names, SayThePathOfGroups) {
   const Scene s = scene_of("group { name \"table\"  sphere { name \"top\" }  sphere { } }");
   EXPECT_EQ(s.shapes[0].name, "table/top");

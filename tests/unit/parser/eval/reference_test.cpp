@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "parser/eval/schema/schema.h"
+#include "parser/parse/habits.h"
 #include "support.h"
 
 namespace alhazen::parser {
@@ -31,6 +32,15 @@ void expect_works(const BlockSchema& schema) {
   evaluate_into(e, text);
   EXPECT_TRUE(e.result.scene) << text << "\n" << e.diagnostics();
   EXPECT_EQ(e.sink.error_count(), 0U);
+}
+
+// What the parser advises stands in a table of its own.
+TEST(Reference, ExamplesOfTheParserWork) {
+  for (const std::string_view block : positional_blocks()) {
+    Evaluated e;
+    evaluate_into(e, kCamera + std::string(named_values_example(block)));
+    EXPECT_TRUE(e.result.scene) << block << "\n" << e.diagnostics();
+  }
 }
 
 TEST(Reference, ExamplesWork) {
