@@ -18,6 +18,11 @@ struct Case {
 };
 
 // The files that the cases are about, in the test's folder.
+// gtest would print the bytes of the struct.
+void PrintTo(const Case& scene, std::ostream* out) {
+  *out << scene.name;
+}
+
 class ReadScene : public ProgramTest, public testing::WithParamInterface<Case> {
  protected:
   ReadScene() {

@@ -49,8 +49,10 @@ std::vector<Place> places(std::string_view pattern) {
 
 }  // namespace
 
-bool has_frame_place(std::string_view pattern) {
-  return !places(pattern).empty();
+std::string_view frame_place(std::string_view pattern) {
+  const std::vector<Place> found = places(pattern);
+  if (found.empty()) return {};
+  return pattern.substr(found.front().begin, found.front().end - found.front().begin);
 }
 
 Result<std::string> frame_name(std::string_view pattern, int frame) {

@@ -8,8 +8,9 @@
 
 namespace alhazen {
 
-// Whether `pattern` has a place for the frame number: a run of `#`, or `%d` or `%04d`.
-bool has_frame_place(std::string_view pattern);
+// The first place for the frame number in `pattern`, as it is written: a run of `#`, or `%d` or
+// `%04d`; "" if there is none.
+std::string_view frame_place(std::string_view pattern);
 
 // `pattern` with the frame number in its place, padded with zeros to the length of the run of `#`
 // or to the width of `%04d`; a minus sign stands before the zeros and is not counted, so that

@@ -8,12 +8,8 @@
 namespace alhazen {
 namespace {
 
-enum class Format { text, json };
-
-Result<Format> to_format(const std::string& text) {
-  if (text == "text") return Format::text;
-  if (text == "json") return Format::json;
-  return Error{ErrorCode::usage, fmt::format("expected text or json, found `{}`", text)};
+std::string counted(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 ExitCode check_as_json(const SceneOptions& options) {
@@ -35,18 +31,18 @@ ExitCode run_check(const Arguments& arguments) {
                    "  alhazen check scene.scn\n"
                    "  alhazen check scene.scn --format json | jq .diagnostics\n");
   SceneOptions options;
-  Format format = Format::text;
+  bool json = false;
   add_scene_options(line, options);
-  line.value_option("--format", "FORMAT", format, to_format,
-                    "text on stderr [default], or json on stdout");
+  add_format_options(line, "stderr", json);
   if (const auto code = line.read(arguments)) return *code;
-  if (format == Format::json) return check_as_json(options);
+  if (json) return check_as_json(options);
 
   LoadedScene loaded;
   if (const auto code = load_scene(options, loaded)) return *code;
   const Scene& scene = *loaded.evaluation.scene;
-  write_stderr(fmt::format("{}: no mistakes: {} shapes, {} lights, {} materials\n", options.scene,
-                           scene.shapes.size(), scene.lights.size(), scene.materials.size()));
+  write_stderr(fmt::format(
+      "{}: no mistakes: {}, {}, {}\n", options.scene, counted(scene.shapes.size(), "shape"),
+      counted(scene.lights.size(), "light"), counted(scene.materials.size(), "material")));
   return ExitCode::done;
 }
 

@@ -15,7 +15,7 @@ ExitCode run_explain(const Arguments& arguments) {
   SceneOptions options;
   bool json = false;
   add_scene_options(line, options);
-  line.flag("--json", json, "as JSON");
+  add_format_options(line, "stdout", json);
   if (const auto code = line.read(arguments)) return *code;
 
   LoadedScene loaded;

@@ -6,8 +6,8 @@
 #include <map>
 #include <span>
 
-#include "app/cli/camera_matrices.h"
 #include "app/cli/version.h"
+#include "render/camera/camera_matrices.h"
 
 namespace alhazen {
 namespace {
@@ -98,6 +98,21 @@ std::vector<std::string> names_of(const std::vector<Record>& records, const char
   return names;
 }
 
+// The files take matrices for column vectors.
+render::RowMatrix transposed(const render::RowMatrix& matrix) {
+  render::RowMatrix result{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j)
+      result[i][j] = matrix[j][i];
+  }
+  return result;
+}
+
+Affined camera_from_world(const CameraFrame& frame) {
+  const render::RowMatrix matrix = transposed(render::world_to_camera(frame));
+  return Affined({matrix[0], matrix[1], matrix[2]});
+}
+
 }  // namespace
 
 render::ExrFile exr_file(const Scene& scene, const render::Picture& picture,
@@ -121,7 +136,8 @@ render::ExrFile exr_file(const Scene& scene, const render::Picture& picture,
   }
   file.metadata.chromaticities = colors.working_chromaticities();
   file.metadata.camera_from_world = camera_from_world(scene.camera.frame);
-  file.metadata.ndc_from_world = ndc_from_world(scene.camera, scene.settings);
+  file.metadata.ndc_from_world =
+      transposed(render::world_to_ndc(scene.camera, scene.settings.width, scene.settings.height));
   file.metadata.software = "Alhazen " + program_version();
   file.metadata.provenance = provenance;
   return file;

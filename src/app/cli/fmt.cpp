@@ -56,8 +56,9 @@ ExitCode format_file(const std::string& path, bool check_only) {
 
 ExitCode run_fmt(const Arguments& arguments) {
   CommandLine line("fmt",
-                   "Rewrites scenes in the canonical layout. Comments stay, and so does the\n"
-                   "meaning; a scene that does not parse is left alone.",
+                   "Rewrites scenes in the canonical layout, in place, without a copy of what was\n"
+                   "there. Comments stay, and so does the meaning; a scene that does not parse is\n"
+                   "left alone.",
                    "  alhazen fmt scene.scn\n"
                    "  alhazen fmt --check scenes/*.scn     for a build server: exit code 1 if any\n"
                    "                                       file would change\n");

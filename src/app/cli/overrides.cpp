@@ -5,7 +5,28 @@
 
 namespace alhazen {
 
-void apply_overrides(const SettingOverrides& overrides, RenderSettings& settings) {
+namespace {
+
+Status apply_adaptive(double threshold, bool samples_given, RenderSettings& settings) {
+  if (threshold == 0) {
+    settings.adaptive.reset();
+    return Unit{};
+  }
+  // The samples of a scene that is not adaptive are how many, not the most.
+  if (!settings.adaptive && !samples_given) settings.samples = kAdaptiveSamples;
+  AdaptiveSampling adaptive = settings.adaptive.value_or(AdaptiveSampling{});
+  adaptive.threshold = threshold;
+  settings.adaptive = adaptive;
+  if (settings.samples > adaptive.min_samples) return Unit{};
+  return Error{ErrorCode::usage,
+               fmt::format("--adaptive looks at a pixel after {} samples, and --samples allows no "
+                           "more than {}; allow more, or leave out --adaptive",
+                           adaptive.min_samples, settings.samples)};
+}
+
+}  // namespace
+
+Status apply_overrides(const SettingOverrides& overrides, RenderSettings& settings) {
   if (overrides.size) {
     settings.width = overrides.size->width;
     settings.height = overrides.size->height;
@@ -15,14 +36,14 @@ void apply_overrides(const SettingOverrides& overrides, RenderSettings& settings
   if (overrides.cutoff) settings.cutoff = *overrides.cutoff;
   if (overrides.filter) settings.filter = *overrides.filter;
   if (overrides.seed) settings.seed = *overrides.seed;
-  if (!overrides.adaptive_threshold) return;
-  if (*overrides.adaptive_threshold == 0) {
-    settings.adaptive.reset();
-    return;
+  if (overrides.adaptive_threshold) {
+    return apply_adaptive(*overrides.adaptive_threshold, overrides.samples.has_value(), settings);
   }
-  AdaptiveSampling adaptive = settings.adaptive.value_or(AdaptiveSampling{});
-  adaptive.threshold = *overrides.adaptive_threshold;
-  settings.adaptive = adaptive;
+  // A quick draft of an adaptive scene: every pixel takes the few that there are.
+  if (settings.adaptive && settings.samples <= settings.adaptive->min_samples) {
+    settings.adaptive.reset();
+  }
+  return Unit{};
 }
 
 Result<render::PixelRect> picture_window(const RenderRequest& request,
@@ -30,7 +51,7 @@ Result<render::PixelRect> picture_window(const RenderRequest& request,
   const render::PixelRect frame{0, 0, settings.width, settings.height};
   if (!request.crop) return frame;
   const render::PixelRect& crop = *request.crop;
-  // Sides are at most kMaxSide: the sums cannot overflow.
+  // Sides are at most kMaxImageSide: the sums cannot overflow.
   if (crop.x + crop.width > frame.width || crop.y + crop.height > frame.height) {
     return Error{ErrorCode::usage,
                  fmt::format("--crop {},{},{},{} reaches beyond the frame of {}x{} pixels", crop.x,

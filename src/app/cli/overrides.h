@@ -7,7 +7,9 @@
 
 namespace alhazen {
 
-void apply_overrides(const SettingOverrides& overrides, RenderSettings& settings);
+// A scene without adaptive sampling that gets it takes at most kAdaptiveSamples, unless it is told
+// how many. Fails with ErrorCode::usage when adaptive sampling has nothing to choose.
+Status apply_overrides(const SettingOverrides& overrides, RenderSettings& settings);
 
 // The pixels to render: the crop, or the whole frame. Fails with ErrorCode::usage when the crop
 // reaches beyond the frame.

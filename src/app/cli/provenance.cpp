@@ -42,17 +42,24 @@ nlohmann::ordered_json options(const RenderRequest& request,
   return json;
 }
 
+// How the preview shows the picture; the meaning of the default is the colour configuration's.
+nlohmann::ordered_json preview_options(const RenderRequest& request) {
+  return {{"display", request.display}, {"view", request.view}};
+}
+
 }  // namespace
 
 Provenance provenance(const RenderRequest& request, const std::vector<parser::Define>& defines,
                       const Scene& scene, std::uint64_t images_hash,
                       const render::ColorConfig& colors) {
-  return {{"version", program_version()},
-          {"sceneHash", hexadecimal(scene.hash)},
-          {"imagesHash", hexadecimal(images_hash)},
-          {"colorHash", hexadecimal(fnv1a_64(colors.serialize()))},
-          {"precision", std::string(name(request.precision))},
-          {"options", options(request, defines, scene.settings).dump()}};
+  Provenance made_by = {{"version", program_version()},
+                        {"sceneHash", hexadecimal(scene.hash)},
+                        {"imagesHash", hexadecimal(images_hash)},
+                        {"colorHash", hexadecimal(fnv1a_64(colors.serialize()))},
+                        {"precision", std::string(name(request.precision))},
+                        {"options", options(request, defines, scene.settings).dump()}};
+  if (!request.preview.empty()) made_by.emplace_back("preview", preview_options(request).dump());
+  return made_by;
 }
 
 bool is_made_by(const std::string& path, const Provenance& provenance) {

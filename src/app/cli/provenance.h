@@ -12,7 +12,8 @@
 
 namespace alhazen {
 
-// Attribute names and values: version, sceneHash, imagesHash, colorHash, precision, options. Two
+// Attribute names and values: version, sceneHash, imagesHash, colorHash, precision, options, and
+// preview where there is one: a run without a preview may take up what one with a preview made. Two
 // runs with equal provenance give equal pixels; whatever cannot change a pixel (threads, file
 // names, progress) is left out.
 using Provenance = std::vector<std::pair<std::string, std::string>>;

@@ -14,7 +14,7 @@ namespace {
 // `pattern` for this frame; a name without a place for the number is taken as it is, which
 // read_render_options allows for a single frame only.
 std::string name_for(const std::string& pattern, int frame) {
-  return has_frame_place(pattern) ? frame_name(pattern, frame).value() : pattern;
+  return frame_place(pattern).empty() ? pattern : frame_name(pattern, frame).value();
 }
 
 std::vector<PictureJob> picture_jobs(const RenderRequest& request) {
@@ -40,12 +40,15 @@ Result<render::ColorConfig> open_colors(const RenderRequest& request) {
   return colors;
 }
 
-ExitCode write_statistics(const std::string& path, const std::vector<PictureReport>& reports) {
-  if (path.empty()) return ExitCode::done;
-  const std::string json = statistics_json(reports);
-  if (path == "-") return print(json);
+// An object for a picture, a list of them for frames, however many were asked for or are finished.
+// Of a single picture that was not rendered there is nothing to say.
+ExitCode write_statistics(const RenderRequest& request, const std::vector<PictureReport>& reports) {
+  const bool is_single = request.frames.empty();
+  if (request.statistics.empty() || (is_single && reports.empty())) return ExitCode::done;
+  const std::string json = is_single ? statistics_json(reports.front()) : statistics_json(reports);
+  if (request.statistics == "-") return print(json);
   const FileWriting writing;
-  const Status written = write_file_atomic(path, json);
+  const Status written = write_file_atomic(request.statistics, json);
   return written ? ExitCode::done : report(written.error());
 }
 
@@ -58,11 +61,15 @@ ExitCode run_render(const Arguments& arguments) {
   const auto colors = open_colors(request);
   if (!colors) return report(colors.error());
   std::vector<PictureReport> reports;
+  ExitCode rendered = ExitCode::done;
   for (const PictureJob& job : picture_jobs(request)) {
-    const ExitCode code = render_picture(request, job, colors.value(), reports);
-    if (code != ExitCode::done) return code;
+    rendered = render_picture(request, job, colors.value(), reports);
+    if (rendered != ExitCode::done) break;
   }
-  return write_statistics(request.statistics, reports);
+  // What was refused before anything was rendered writes nothing.
+  if (rendered != ExitCode::done && reports.empty()) return rendered;
+  const ExitCode written = write_statistics(request, reports);
+  return rendered != ExitCode::done ? rendered : written;
 }
 
 }  // namespace alhazen

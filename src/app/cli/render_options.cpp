@@ -1,5 +1,6 @@
 #include "app/cli/render_options.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -31,7 +32,7 @@ constexpr const char* kExamples =
     "exits with 75. All exit codes: alhazen help.\n";
 
 Result<std::uint64_t> to_seed(const std::string& text) {
-  const auto seed = to_whole(text, 0, std::numeric_limits<std::int64_t>::max());
+  const auto seed = to_whole(text, 0, kMaxSeed);
   if (!seed) return seed.error();
   return static_cast<std::uint64_t>(seed.value());
 }
@@ -79,7 +80,8 @@ void add_picture_options(CommandLine& line, RenderRequest& request, bool& outsid
                     "frames as 1-100, 1-100x5 or 1-3,7; each is given to the scene's\n"
                     "`param frame`, and -o needs a place for it: a.####.exr or a.%04d.exr");
   line.flag("--skip-existing", request.skip_existing,
-            "leave out pictures that are there, whole, and made by the same");
+            "leave out pictures that are there, complete, and made by the same\n"
+            "program from the same scene with the same options");
 }
 
 void add_quality_options(CommandLine& line, RenderRequest& request) {
@@ -88,13 +90,16 @@ void add_quality_options(CommandLine& line, RenderRequest& request) {
   line.value_option("--samples", "N", settings.samples, whole(1, kMaxSamples),
                     "camera rays a pixel; with --adaptive, at most");
   line.value_option("--adaptive", "T", settings.adaptive_threshold, number(0, kNoLimit),
-                    "stop a pixel once its standard error is at most T; 0 turns it off");
+                    "stop a pixel once its standard error is at most T, between 16\n"
+                    "samples, or the scene's min_samples, and --samples: 1024 if neither that\n"
+                    "nor an adaptive scene says how many; 0 turns it off");
   line.value_option("--filter", "NAME[:RADIUS]", settings.filter, to_filter,
                     "box, tent, gaussian or mitchell; the radius is in pixels");
   line.value_option("--max-depth", "N", settings.max_depth, whole(0, kMaxDepth),
                     "reflections and refractions along a path");
   line.value_option("--cutoff", "C", settings.cutoff, number(0, 1),
-                    "do not follow a ray that adds less than C of its light; 0 follows all");
+                    "do not follow a ray that would add less than C of a pixel's light;\n"
+                    "0 follows all");
   line.value_option("--seed", "N", settings.seed, to_seed, "another draw of the random numbers");
   line.value_option("--precision", "TYPE", request.precision, to_precision,
                     "of the arithmetic: float, double [default] or quad (very slow)");
@@ -106,7 +111,9 @@ void add_color_options(CommandLine& line, RenderRequest& request) {
                    "OpenColorIO configuration [$OCIO, or else a built-in one: ACEScg]");
   line.text_option("--display", "NAME", request.display,
                    "display of the preview [the configuration's first]");
-  line.text_option("--view", "NAME", request.view, "its view [the display's first]");
+  line.text_option("--view", "NAME", request.view,
+                   "its view [the display's first]; built in are `Un-tone-mapped`,\n"
+                   "`ACES 1.0 SDR` and `Raw`");
 }
 
 void add_run_options(CommandLine& line, RenderRequest& request) {
@@ -117,7 +124,7 @@ void add_run_options(CommandLine& line, RenderRequest& request) {
                     "on stderr: bar, plain, json, none, or auto [bar on a terminal]");
   line.text_option("--stats", "FILE", request.statistics,
                    "rays, stages, times and memory as JSON; - for stdout;\n"
-                   "a list of them for several frames");
+                   "with --frames a list of them");
   line.flag("-q,--quiet", request.quiet, "no progress and no summary, only what went wrong");
 }
 
@@ -125,6 +132,50 @@ void add_run_options(CommandLine& line, RenderRequest& request) {
 std::string default_output(const RenderRequest& request) {
   const std::string stem = std::filesystem::path(request.scene).stem();
   return stem + (request.frames.empty() ? ".exr" : ".####.exr");
+}
+
+// Endings of pictures that this program does not write.
+constexpr std::string_view kOtherPictures[] = {".jpg", ".jpeg", ".tif",  ".tiff", ".bmp",
+                                               ".gif", ".hdr",  ".webp", ".ppm",  ".tga"};
+
+std::string ending(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension();
+  for (char& c : ending)
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return ending;
+}
+
+// A file's name promises what is in it.
+Status check_endings(const RenderRequest& request) {
+  const auto is_other = [](const std::string& ending) {
+    return std::ranges::find(kOtherPictures, ending) != std::end(kOtherPictures);
+  };
+  const std::string output = ending(request.output), preview = ending(request.preview);
+  if (output == ".png" || is_other(output)) {
+    return Error{
+        ErrorCode::usage,
+        fmt::format("-o {}: the picture is OpenEXR; for one to look at: `--preview {}`",
+                    request.output,
+                    std::filesystem::path(request.output).replace_extension(".png").string())};
+  }
+  if (preview == ".exr" || is_other(preview)) {
+    return Error{ErrorCode::usage,
+                 fmt::format("--preview {}: the preview is a PNG", request.preview)};
+  }
+  return Unit{};
+}
+
+// Places for the number of a frame are there if there are frames.
+Status check_places(const RenderRequest& request) {
+  for (const std::string& pattern : {request.output, request.preview}) {
+    const std::string_view place = frame_place(pattern);
+    if (request.frames.empty() && !place.empty()) {
+      return Error{ErrorCode::usage, fmt::format("`{}`: `{}` is for `--frames`", pattern, place)};
+    }
+    if (request.frames.size() <= 1 || pattern.empty()) continue;
+    if (const auto name = frame_name(pattern, 0); !name) return name.error();
+  }
+  return Unit{};
 }
 
 Status check_names(const RenderRequest& request) {
@@ -141,13 +192,11 @@ Status check_names(const RenderRequest& request) {
       return Error{ErrorCode::usage, "-D frame and --frames both set the scene's `param frame`"};
     }
   }
-  if (request.frames.size() <= 1) return Unit{};
-  if (to_stdout) return Error{ErrorCode::usage, "several frames cannot all go to stdout"};
-  for (const std::string& pattern : {request.output, request.preview}) {
-    if (pattern.empty()) continue;
-    if (const auto name = frame_name(pattern, 0); !name) return name.error();
+  if (request.frames.size() > 1 && to_stdout) {
+    return Error{ErrorCode::usage, "several frames cannot all go to stdout"};
   }
-  return Unit{};
+  if (Status good = check_endings(request); !good) return good;
+  return check_places(request);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class Stopwatch {
 };
 
 Error stopped_error() {
-  return {ErrorCode::limit, "stopped by a signal; the picture was not written"};
+  return {ErrorCode::stopped, "stopped by a signal; the picture was not written"};
 }
 
 ExitCode report_failure(const Error& error) {
@@ -132,7 +132,7 @@ Status prepare(const RenderRequest& request, const PictureJob& job, parser::Eval
     return apart;
   }
   Scene& scene = *evaluation.scene;
-  apply_overrides(request.settings, scene.settings);
+  if (Status good = apply_overrides(request.settings, scene.settings); !good) return good;
   const Result<render::PixelRect> window = picture_window(request, scene.settings);
   if (!window) return window.error();
   if (Status fits = check_memory(window.value(), request.aovs, physical_memory_bytes()); !fits) {
@@ -162,7 +162,8 @@ ExitCode render_picture(const RenderRequest& request, const PictureJob& job,
   const Stopwatch watch;
   PictureReport report;
   std::vector<parser::Define> defines = request.defines;
-  if (job.frame) defines.push_back({"frame", fmt::format("{}", *job.frame)});
+  if (job.frame)
+    defines.push_back({"frame", fmt::format("{}", *job.frame), parser::Define::Option::frames});
   const auto eval = eval_options(colors, defines, request.files);
   if (!eval) return alhazen::report(eval.error());
   LoadedScene loaded;

@@ -15,6 +15,18 @@ void add_scene_options(CommandLine& line, SceneOptions& options) {
                    "OpenColorIO configuration [$OCIO, or else a built-in one]");
 }
 
+void add_format_options(CommandLine& line, std::string_view text_goes, bool& as_json) {
+  const auto is_json = [](const std::string& text) -> Result<bool> {
+    if (text == "text" || text == "json") return text == "json";
+    return Error{ErrorCode::usage, fmt::format("expected text or json, found `{}`", text)};
+  };
+  line.value_option("--format", "FORMAT", as_json, is_json,
+                    fmt::format("text on {} [default], or json on stdout", text_goes));
+  line.add_flag_callback(
+          "--json", [&as_json] { as_json = true; }, "the same as --format json")
+      ->group("Options");
+}
+
 Result<parser::EvalOptions> eval_options(const SceneOptions& options) {
   const auto colors = render::ColorConfig::open(render::color_source(options.color_file));
   if (!colors) return colors.error();

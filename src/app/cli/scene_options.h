@@ -15,6 +15,9 @@ struct SceneOptions {
 
 void add_scene_options(CommandLine& line, SceneOptions& options);
 
+// `--format text|json` and `--json` of a verb whose text goes to `text_goes`.
+void add_format_options(CommandLine& line, std::string_view text_goes, bool& as_json);
+
 // load_scene with these options.
 std::optional<ExitCode> load_scene(const SceneOptions& options, LoadedScene& loaded);
 Result<parser::EvalOptions> eval_options(const SceneOptions& options);

@@ -138,8 +138,11 @@ std::string statistics_text(const PictureReport& report) {
   return text;
 }
 
+std::string statistics_json(const PictureReport& report) {
+  return to_json(report).dump(2) + "\n";
+}
+
 std::string statistics_json(const std::vector<PictureReport>& reports) {
-  if (reports.size() == 1) return to_json(reports.front()).dump(2) + "\n";
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const PictureReport& report : reports)
     list.push_back(to_json(report));

@@ -33,7 +33,8 @@ std::uint64_t peak_memory_bytes();
 
 std::string statistics_text(const PictureReport& report);
 
-// One object; a list of them for several pictures.
+std::string statistics_json(const PictureReport& report);
+// A list of the same objects.
 std::string statistics_json(const std::vector<PictureReport>& reports);
 
 }  // namespace alhazen

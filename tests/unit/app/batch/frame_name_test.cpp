@@ -27,8 +27,9 @@ TEST(FrameName, NoPlaceOrTwoPlacesAreUsageErrors) {
     ASSERT_FALSE(result) << pattern;
     EXPECT_EQ(result.error().code, ErrorCode::usage);
   }
-  EXPECT_FALSE(has_frame_place("a.exr"));
-  EXPECT_TRUE(has_frame_place("a.#.exr"));
+  EXPECT_EQ(frame_place("a.exr"), "");
+  EXPECT_EQ(frame_place("a.#.exr"), "#");
+  EXPECT_EQ(frame_place("a.%04d.exr"), "%04d");
 }
 
 RC_GTEST_PROP(FrameName, DifferentFramesHaveDifferentNames, ()) {

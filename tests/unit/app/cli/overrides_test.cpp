@@ -9,7 +9,7 @@ TEST(Overrides, WhatIsNotAskedForStays) {
   RenderSettings settings;
   settings.samples = 7;
   settings.adaptive = AdaptiveSampling{0.25, 5};
-  apply_overrides({}, settings);
+  ASSERT_TRUE(apply_overrides({}, settings));
   EXPECT_EQ(settings.samples, 7);
   EXPECT_EQ(settings.adaptive->threshold, 0.25);
 }
@@ -18,16 +18,16 @@ TEST(Overrides, WhatIsAskedForIsThere) {
   RenderSettings settings;
   SettingOverrides overrides;
   overrides.size = PictureSize{12, 34};
-  overrides.samples = 5;
+  overrides.samples = 50;
   overrides.max_depth = 0;
   overrides.cutoff = 0.0;
   overrides.seed = 9;
   overrides.filter = ReconstructionFilter{FilterKind::tent, 1};
   overrides.adaptive_threshold = 0.5;
-  apply_overrides(overrides, settings);
+  ASSERT_TRUE(apply_overrides(overrides, settings));
   EXPECT_EQ(settings.width, 12);
   EXPECT_EQ(settings.height, 34);
-  EXPECT_EQ(settings.samples, 5);
+  EXPECT_EQ(settings.samples, 50);
   EXPECT_EQ(settings.max_depth, 0);
   EXPECT_EQ(settings.cutoff, 0.0);
   EXPECT_EQ(settings.seed, 9u);
@@ -40,10 +40,40 @@ TEST(Overrides, AdaptiveKeepsTheScenesMinimumAndZeroTurnsItOff) {
   settings.adaptive = AdaptiveSampling{0.25, 5};
   SettingOverrides overrides;
   overrides.adaptive_threshold = 0.5;
-  apply_overrides(overrides, settings);
+  ASSERT_TRUE(apply_overrides(overrides, settings));
   EXPECT_EQ(settings.adaptive->min_samples, 5);
   overrides.adaptive_threshold = 0.0;
-  apply_overrides(overrides, settings);
+  ASSERT_TRUE(apply_overrides(overrides, settings));
+  EXPECT_FALSE(settings.adaptive);
+}
+
+TEST(Overrides, AdaptiveHasRoomUnlessToldOtherwise) {
+  SettingOverrides overrides;
+  overrides.adaptive_threshold = 0.5;
+  RenderSettings plain;
+  ASSERT_TRUE(apply_overrides(overrides, plain));
+  EXPECT_EQ(plain.samples, kAdaptiveSamples);
+
+  RenderSettings adaptive;
+  adaptive.samples = 64;
+  adaptive.adaptive = AdaptiveSampling{};
+  ASSERT_TRUE(apply_overrides(overrides, adaptive));
+  EXPECT_EQ(adaptive.samples, 64) << "the scene's own limit stays";
+
+  overrides.samples = 17;
+  ASSERT_TRUE(apply_overrides(overrides, plain));
+  EXPECT_EQ(plain.samples, 17);
+  overrides.samples = 16;
+  EXPECT_EQ(apply_overrides(overrides, plain).error().code, ErrorCode::usage);
+}
+
+TEST(Overrides, FewSamplesOfAnAdaptiveSceneAreADraft) {
+  RenderSettings settings;
+  settings.adaptive = AdaptiveSampling{};
+  SettingOverrides overrides;
+  overrides.samples = 4;
+  ASSERT_TRUE(apply_overrides(overrides, settings));
+  EXPECT_EQ(settings.samples, 4);
   EXPECT_FALSE(settings.adaptive);
 }
 
