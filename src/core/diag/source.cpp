@@ -5,27 +5,44 @@
 #include <utility>
 
 namespace alhazen {
+namespace {
+
+// Whether the byte is not a continuation byte of UTF-8.
+bool begins_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
+}  // namespace
 
 FileId SourceManager::add(std::string name, std::string text) {
-  File file{std::move(name), std::move(text), {0}};
+  File file{std::move(name), std::move(text), {0}, {}};
+  std::uint32_t points = 0;
   for (std::uint32_t i = 0; i < file.text.size(); ++i) {
+    if (i % kStride == 0) file.points.push_back(points);
+    if (begins_character(file.text[i])) ++points;
     if (file.text[i] == '\n') file.line_starts.push_back(i + 1);
   }
   files_.push_back(std::move(file));
   return static_cast<FileId>(files_.size() - 1);
 }
 
+std::uint32_t SourceManager::points_before(const File& file, std::uint32_t offset) {
+  if (file.points.empty()) return 0;
+  const std::size_t end = std::min<std::size_t>(offset, file.text.size());
+  const std::size_t mark = std::min(end / kStride, file.points.size() - 1);
+  const auto begin = file.text.begin();
+  const auto beyond_mark =
+      std::count_if(begin + static_cast<std::ptrdiff_t>(mark * kStride),
+                    begin + static_cast<std::ptrdiff_t>(end), begins_character);
+  return file.points[mark] + static_cast<std::uint32_t>(beyond_mark);
+}
+
 LineColumn SourceManager::locate(FileId file, std::uint32_t offset) const {
   const auto& starts = files_[file].line_starts;
   const auto next = std::upper_bound(starts.begin(), starts.end(), offset);
   const auto line = static_cast<std::uint32_t>(next - starts.begin());
-  std::uint32_t column = 1;
-  const std::string& text = files_[file].text;
-  for (std::uint32_t i = starts[line - 1]; i < offset && i < text.size(); ++i) {
-    const bool continuation = (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
-    if (!continuation) ++column;
-  }
-  return {line, column};
+  const std::uint32_t before = points_before(files_[file], starts[line - 1]);
+  return {line, points_before(files_[file], offset) - before + 1};
 }
 
 std::string_view SourceManager::line_text(FileId file, std::uint32_t line) const {

@@ -57,7 +57,12 @@ class SourceManager {
     std::string name;
     std::string text;
     std::vector<std::uint32_t> line_starts;
+    std::vector<std::uint32_t> points;  // code points before byte 0, kStride, 2 kStride, ...
   };
+  static constexpr std::uint32_t kStride = 4096;
+  // Code points before byte `offset`, in constant time: a line can be as long as its file.
+  static std::uint32_t points_before(const File& file, std::uint32_t offset);
+
   std::deque<File> files_;
 };
 
