@@ -39,6 +39,10 @@ constexpr const DiagnosticInfo& info(DiagnosticKind kind) {
   return kDiagnosticInfo[static_cast<std::size_t>(kind)];
 }
 
+// `message` with everything between backquotes that is longer than 80 bytes cut in its middle: a
+// token can be as long as its file.
+std::string shorten_quotes(std::string message);
+
 // A second place that explains the first: "`<` opened here".
 struct Label {
   SourceSpan span;
@@ -62,11 +66,11 @@ struct Diagnostic {
   std::vector<TraceFrame> trace;
 
   Diagnostic& label(SourceSpan where, std::string text) {
-    labels.push_back({where, std::move(text)});
+    labels.push_back({where, shorten_quotes(std::move(text))});
     return *this;
   }
   Diagnostic& hint(std::string text) {
-    hints.push_back(std::move(text));
+    hints.push_back(shorten_quotes(std::move(text)));
     return *this;
   }
 };
@@ -87,7 +91,7 @@ class DiagnosticSink {
                 info(kind).severity,
                 info(kind).code,
                 span,
-                fmt::format(format, std::forward<Args>(args)...),
+                shorten_quotes(fmt::format(format, std::forward<Args>(args)...)),
                 {},
                 {},
                 current_trace_});
@@ -101,6 +105,8 @@ class DiagnosticSink {
   std::size_t error_count() const { return error_count_; }
   bool full() const { return error_count_ >= max_errors_; }
   bool truncated() const { return truncated_; }
+  // Work ended because the sink was full: what else is wrong is not known.
+  void note_truncated() { truncated_ = true; }
   // The code of the first error. Precondition: error_count() > 0.
   ErrorCode code() const;
 

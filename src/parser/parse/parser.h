@@ -111,11 +111,13 @@ class Parser {
     panic();
     return reported;
   }
-  // Reports unless in panic, and goes on: for mistakes whose meaning is clear.
+  // Reports unless in panic, and goes on: for mistakes whose meaning is clear. After a limit, or
+  // when the sink takes no more, nothing is left to go on with.
   template <DiagnosticKind kind, class... Args>
   Diagnostic& report(SourceSpan where, Args&&... args) {
     if (panic_ || stopped_) return unreported_ = {};
-    const bool enough = sink_.full();
+    if (sink_.full()) sink_.note_truncated();
+    const bool enough = sink_.full() || info(kind).code == ErrorCode::limit;
     Diagnostic& reported = sink_.report<kind>(where, std::forward<Args>(args)...);
     if (enough) stop();
     return reported;

@@ -30,7 +30,10 @@ void TokenStream::fetch() {
       // One more than the sink takes tells it that some are missing; more of them help nobody.
       const bool enough = sink_.full();
       report_flaw(token, file_, text_, sink_);
-      if (enough) stop();
+      if (enough) {
+        sink_.note_truncated();
+        stop();
+      }
     }
     if (token.kind == TokenKind::comment) {
       ahead.comments.push_back(
