@@ -3,7 +3,18 @@
 
 namespace alhazen::parser {
 
+void Scope::define(std::string_view name, Value value, SourceSpan span) {
+  bindings_.push_back({name, std::move(value), span});
+  if (bindings_.size() <= kMostSearched) return;
+  for (std::size_t i = index_.size(); i < bindings_.size(); ++i)
+    index_.emplace(bindings_[i].name, i);
+}
+
 const Binding* Scope::find_here(std::string_view name) const {
+  if (!index_.empty()) {
+    const auto it = index_.find(name);
+    return it == index_.end() ? nullptr : &bindings_[it->second];
+  }
   for (auto it = bindings_.rbegin(); it != bindings_.rend(); ++it) {
     if (it->name == name) return &*it;
   }
