@@ -92,7 +92,7 @@ constexpr PropertySpec kRectangle[] = {
      .types = kVec3,
      .presence = kRequired,
      .range = kNonzero,
-     .doc = "from that corner to the one before, at a right angle to `edge_u`; the light shines to "
+     .doc = "from that corner to the one before; the light shines to "
             "the side of cross(edge_u, edge_v)"},
 };
 constexpr PropertySpec kAmbient[] = {
