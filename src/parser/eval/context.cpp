@@ -9,6 +9,7 @@ namespace {
 
 // Lists within lists are walked by recursion.
 constexpr int kMaxListDepth = 500;
+constexpr std::uint64_t kRecordFuel = 20;
 // Of a long trace the innermost and the outermost steps say most.
 constexpr std::size_t kInnermostShown = 8, kOutermostShown = 3;
 
@@ -61,6 +62,19 @@ bool Context::spend_list(std::uint64_t elements, SourceSpan at) {
   }
   list_elements_ += elements;
   return true;
+}
+
+TextureId Context::add(Texture texture) {
+  spend_fuel(kRecordFuel, texture.span);
+  if (const auto* gradient = std::get_if<GradientPattern>(&texture.pattern)) {
+    spend_list(gradient->stops.size(), texture.span);
+  }
+  return store_.add(std::move(texture));
+}
+
+MaterialId Context::add(Material material) {
+  spend_fuel(kRecordFuel, material.span);
+  return store_.add(std::move(material));
 }
 
 Value Context::make_text(std::string bytes, SourceSpan at) {

@@ -26,6 +26,9 @@ class Context {
   const EvalOptions& options() const { return options_; }
   const EvalLimits& limits() const { return options_.limits; }
   Store& store() { return store_; }
+  // Into the store, which costs fuel: records are larger than most values and are interned.
+  TextureId add(Texture texture);
+  MaterialId add(Material material);
 
   // Reports with the calls and includes that led here.
   template <DiagnosticKind kind, class... Args>
@@ -42,12 +45,17 @@ class Context {
   void leave() { frames_.pop_back(); }
 
   // Once true, the evaluation unwinds without doing anything more.
-  bool halted() const { return halted_ || sink_.full(); }
+  bool halted() const {
+    if (sink_.full()) sink_.note_truncated();
+    return halted_ || sink_.full();
+  }
 
   // Each takes from a limit; false, after a report at `at`, when it is used up.
   bool spend_fuel(std::uint64_t units, SourceSpan at);
   bool spend_string(std::uint64_t bytes, SourceSpan at);
   bool spend_list(std::uint64_t elements, SourceSpan at);
+  // What it costs to go once over so many bytes.
+  bool spend_scan(std::uint64_t bytes, SourceSpan at) { return spend_fuel(bytes / 16, at); }
   std::uint64_t fuel_left() const { return options_.limits.fuel - fuel_used_; }
 
   // Stops everything with a report of `kind`, which is about a limit.

@@ -121,10 +121,13 @@ class Flattener {
     scene_.shapes.push_back(std::move(shape));
   }
 
-  static std::string name_of(const Node& node, const Surroundings& around, const char* kind,
-                             int& count) {
+  std::string name_of(const Node& node, const Surroundings& around, const char* kind, int& count) {
     ++count;
-    return around.path + (node.name.empty() ? fmt::format("{} {}", kind, count) : node.name);
+    std::string name =
+        around.path + (node.name.empty() ? fmt::format("{} {}", kind, count) : node.name);
+    // What the objects around it add to each name is not counted anywhere else.
+    context_.spend_string(around.path.size(), node.span);
+    return name;
   }
 
   Context& context_;

@@ -101,7 +101,7 @@ std::optional<MaterialId> lower_material(Context& context, const Properties& pro
   Material out{*scatters, {}, false, "", properties.head()};
   out.emission =
       base != nullptr && !properties.has(emission) ? base->emission : properties.color(emission);
-  return context.store().add(std::move(out));
+  return context.add(std::move(out));
 }
 
 const BlockSchema& schema_of(const Material& material) {

@@ -62,7 +62,7 @@ std::optional<TextureId> lower_texture(Context& context, const Properties& prope
   if (!(*moved_from_pattern == Affined())) {
     out.pattern_from_mapped = out.pattern_from_mapped * *inverse(*moved_from_pattern);
   }
-  return context.store().add(std::move(out));
+  return context.add(std::move(out));
 }
 
 }  // namespace alhazen::parser

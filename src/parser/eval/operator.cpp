@@ -1,6 +1,7 @@
 // parser/eval: arithmetic, comparison and their errors.
 #include "parser/eval/operator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string_view>
@@ -102,6 +103,12 @@ bool holds(Op op, int order) {
   }
 }
 
+// What it costs to compare two strings; nothing for other types.
+bool spend_on_texts(Context& context, const Value& a, SourceSpan at, const Value& b) {
+  if (!a.is(Type::string) || !b.is(Type::string)) return true;
+  return context.spend_scan(std::min(a.text().size(), b.text().size()), at);
+}
+
 Value report_types(Context& context, Op op, const Value& a, SourceSpan a_span, const Value& b,
                    SourceSpan b_span) {
   struct Words {
@@ -185,9 +192,11 @@ Value apply_binary(Context& context, Op op, const Value& a, SourceSpan a_span, c
   if (op == Op::equal || op == Op::not_equal) {
     if (a.type() != b.type()) return report_types(context, op, a, a_span, b, b_span);
     if (a.is(Type::list) && !context.spend_fuel(a.as<ListPtr>()->weight, a_span)) return Poison{};
+    if (!spend_on_texts(context, a, a_span, b)) return Poison{};
     return equal(a, b) == (op == Op::equal);
   }
   if (op == Op::less || op == Op::less_equal || op == Op::greater || op == Op::greater_equal) {
+    if (!spend_on_texts(context, a, a_span, b)) return Poison{};
     const auto o = order(a, b);
     return o ? Value(holds(op, *o)) : report_types(context, op, a, a_span, b, b_span);
   }

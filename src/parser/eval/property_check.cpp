@@ -13,6 +13,9 @@ namespace {
 
 constexpr TypeSet kMeasured = kNumber | kAngle | kVec2 | kVec3 | kAngles | kColor;
 
+// Names stand in the header of the picture and in the channels that tell objects apart.
+constexpr std::size_t kLongestName = 256;
+
 bool in_range(const NumberRange& range, const Value& value) {
   if ((set_of(value.type()) & kMeasured) == 0) return true;
   bool inside = true, all_zero = true;
@@ -72,6 +75,10 @@ bool check_property(Context& context, const PropertySpec& spec, const Value& val
         span, spec.name, describe(spec.types), a_type_name(value.type()));
     const std::string hint = conversion_hint(spec.types, value);
     if (!hint.empty()) d.hint(hint);
+    return false;
+  }
+  if (spec.name == "name" && value.text().size() > kLongestName) {
+    context.report<DiagnosticKind::name_too_long>(span, kLongestName, value.text().size());
     return false;
   }
   if (!spec.words.empty()) return check_word(context, spec, value.text(), span);

@@ -23,7 +23,7 @@ std::optional<Stop> stop_of(const Value& value) {
 
 TextureId texture_of(Context& context, const Value& value, SourceSpan span) {
   if (value.is(Type::texture)) return value.as<TextureRef>().id;
-  return context.store().add(Texture{SolidPattern{value.as<Rgbd>()}, Mapping::object, {}, span});
+  return context.add(Texture{SolidPattern{value.as<Rgbd>()}, Mapping::object, {}, span});
 }
 
 std::optional<std::vector<GradientStop>> gradient_stops(Context& context, const Value& list,
@@ -35,6 +35,7 @@ std::optional<std::vector<GradientStop>> gradient_stops(Context& context, const 
     return std::nullopt;
   };
   const auto& elements = list.elements();
+  if (!context.spend_fuel(elements.size(), span)) return std::nullopt;
   if (elements.empty()) return fail("is empty");
   std::vector<GradientStop> stops;
   bool any_pair = false, any_color = false;

@@ -15,6 +15,7 @@ Value len_of(const BuiltinCall& call) {
   const Value& value = call.values[0];
   if (value.is(Type::list)) return static_cast<double>(value.elements().size());
   if (value.is(Type::range)) return value.as<IntervalPtr>()->count();
+  if (!call.context.spend_scan(value.text().size(), call.span)) return Poison{};
   double code_points = 0;
   for (const char byte : value.text())
     code_points += (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U ? 1 : 0;
@@ -28,7 +29,11 @@ Value str_of(const BuiltinCall& call) {
 // The values of a list or a range, or nothing when a limit was hit.
 std::optional<std::vector<Value>> values_of(const BuiltinCall& call) {
   const Value& sequence = call.values[0];
-  if (sequence.is(Type::list)) return sequence.elements();
+  if (sequence.is(Type::list)) {
+    const std::vector<Value>& elements = sequence.elements();
+    if (!call.context.spend_fuel(elements.size(), call.span)) return std::nullopt;
+    return elements;
+  }
   const Interval& range = *sequence.as<IntervalPtr>();
   const double count = range.count();
   const auto limit = static_cast<double>(call.context.limits().list_elements);
@@ -72,10 +77,11 @@ Value linspace(const BuiltinCall& call) {
     return call.outside_domain(2, "a whole number of at least 2");
   }
   const auto limit = static_cast<double>(call.context.limits().list_elements);
-  if (!call.context.spend_fuel(static_cast<std::uint64_t>(smaller(count, limit + 1)), call.span)) {
+  // More than can be paid for is not even made.
+  if (count > limit) {
+    call.context.spend_list(call.context.limits().list_elements + 1, call.span);
     return Poison{};
   }
-  if (count > limit) return call.outside_domain(2, "fewer elements");
   std::vector<Value> values;
   for (double k = 0; k < count; ++k) {
     const double w = k / (count - 1);

@@ -46,8 +46,14 @@ std::uint64_t hash_of(const Value& seed) {
 // Of the arguments from `first` on, in order, apart for each `stream`.
 std::uint64_t hash_of(const BuiltinCall& call, std::size_t first, std::uint64_t stream = 0) {
   std::uint64_t state = mix_64(0x616c68617a656eULL, stream);
-  for (std::size_t i = first; i < call.values.size(); ++i)
-    state = mix_64(state, hash_of(call.values[i]));
+  for (std::size_t i = first; i < call.values.size(); ++i) {
+    const Value& seed = call.values[i];
+    // Out of fuel the number does not matter: the evaluation ends.
+    if (seed.is(Type::string) && !call.context.spend_scan(seed.text().size(), call.spans[i])) {
+      return state;
+    }
+    state = mix_64(state, hash_of(seed));
+  }
   return state;
 }
 

@@ -14,7 +14,7 @@ constexpr BuiltinParameter kStops[] = {{"stops", kList}};
 constexpr BuiltinParameter kFile[] = {{"file", kString}};
 
 Value make(const BuiltinCall& call, Pattern pattern, Mapping mapping = Mapping::object) {
-  return TextureRef{call.context.store().add(Texture{std::move(pattern), mapping, {}, call.span})};
+  return TextureRef{call.context.add(Texture{std::move(pattern), mapping, {}, call.span})};
 }
 TextureId argument(const BuiltinCall& call, std::size_t i) {
   return texture_of(call.context, call.values[i], call.spans[i]);

@@ -63,6 +63,57 @@ TEST(Limits, ComparingSharedLists) {
       DiagnosticKind::fuel_exhausted);
 }
 
+// What takes longer the larger its operand is costs fuel in proportion.
+TEST(Limits, WorkOnLargeValuesCostsFuel) {
+  EvalOptions options;
+  options.limits.fuel = 100'000;
+  const std::string text =
+      "fn f(s, n) = if n == 0 then s else f(s + s, n - 1)\n"
+      "let s = f(\"sixteen letters.\", 10)\n"
+      "let t = f(\"sixteen letters.\", 10)\n"
+      "let l = list(0 .. 1000)\n"
+      "let c = f([rgb(0), rgb(1)], 9)\n";
+  for (const char* work :
+       {"print len(s)", "print s == t", "print s < t", "print random(s)", "print sum(l)",
+        "print len(reverse(l))", "print len(list(l))", "let g = gradient(c)"}) {
+    expect_error(text + "for i in 0 .. 200 { " + work + " }", DiagnosticKind::fuel_exhausted,
+                 options);
+  }
+  options.limits.list_elements = 1000;
+  expect_error("print linspace(0, 1, 1e9)", DiagnosticKind::memory_exhausted, options);
+}
+
+TEST(Limits, NamesOfDeepObjects) {
+  EvalOptions options;
+  options.limits.string_bytes = 4000;
+  std::string scene = "sphere { name \"ball\" }";
+  for (int i = 0; i < 10; ++i)
+    scene = "group { name \"" + std::string(200, 'n') + "\" " + scene + " }";
+  expect_error(scene + "\n" + scene, DiagnosticKind::memory_exhausted, options);
+}
+
+// Each name was looked for among all before it.
+TEST(Limits, ManyNamesAreFound) {
+  std::string text;
+  for (int i = 0; i < 50'000; ++i)
+    text += "let n" + std::to_string(i) + " = " + std::to_string(i) + "\n";
+  Evaluated e;
+  evaluate_into(e, kCamera + text + "print n0 + n17 + n49999\nlet n25000 = 0");
+  ASSERT_EQ(e.sink.error_count(), 1U) << e.diagnostics();
+  EXPECT_TRUE(e.has_error(DiagnosticKind::already_defined));
+  EXPECT_EQ(e.result.printed[0].text, "50016");
+}
+
+TEST(Limits, MoreErrorsThanAreShownAreOwnedUpTo) {
+  std::string text;
+  for (int i = 0; i < 30; ++i)
+    text += "print missing" + std::to_string(i) + "\n";
+  Evaluated e;
+  evaluate_into(e, kCamera + text);
+  EXPECT_EQ(e.sink.error_count(), 20U);
+  EXPECT_TRUE(e.sink.truncated());
+}
+
 TEST(Limits, Shapes) {
   EvalOptions options;
   options.limits.shapes = 10;
