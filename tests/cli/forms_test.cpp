@@ -20,7 +20,7 @@ TEST_F(Forms, CheckFindsNothing) {
   const Outcome outcome = run({"check", "s.scn"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
-  EXPECT_THAT(outcome.err, HasSubstr("no mistakes: 3 shapes, 1 lights"));
+  EXPECT_THAT(outcome.err, HasSubstr("no mistakes: 3 shapes, 1 light,"));
   const Outcome json = run({"check", "s.scn", "--format", "json"});
   EXPECT_EQ(json.code, 0);
   EXPECT_EQ(nlohmann::json::parse(json.out).at("errors"), 0);

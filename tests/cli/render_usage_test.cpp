@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"output_is_the_scene", {"-o", "./s.scn"}, 2, "`./s.scn` would be written over"},
         Case{"preview_is_the_scene", {"--preview", "s.scn"}, 2, "the scene is made from it"},
         Case{"stats_are_the_scene", {"--stats", "s.scn"}, 2, "the scene is made from it"},
-        Case{"output_twice", {"-o", "s.exr", "--preview", "./s.exr"}, 2, "are one file"},
+        Case{"output_twice", {"-o", "picture", "--preview", "./picture"}, 2, "are one file"},
         Case{"stats_are_the_picture", {"--stats", "./s.exr"}, 2, "are one file"},
         Case{"output_is_a_device", {"-o", "/dev/null"}, 3, "a device"},
         Case{"stats_in_no_folder", {"--stats", "no/a.json"}, 3, "no/a.json"},
