@@ -9,6 +9,14 @@
 namespace alhazen::render {
 namespace {
 
+// No surface reflects more than it receives, whatever a picture of floats holds; a NaN reflects
+// nothing (docs/physics.md).
+template <class Real>
+Rgb<Real> within_unit(Rgb<Real> color) {
+  const auto channel = [](Real x) { return x > Real(0) ? smaller(x, Real(1)) : Real(0); };
+  return {channel(color.r), channel(color.g), channel(color.b)};
+}
+
 // pattern_from_rebased: M (p + offset) + t = M p + (M offset + t), the bracket in two words.
 Affined folded_offset(Affined pattern_from_world, Vec3d offset) {
   for (auto& row : pattern_from_world.rows) {
@@ -68,7 +76,7 @@ auto TextureTable<Real>::make_node(const Texture& texture, std::span<const Image
                                [&](const ImagePattern& p) {
                                  node.image = images[p.image];
                                  if (is_one_color(node.image))
-                                   return solid(image_pixel<Real>(node.image, 0, 0));
+                                   return solid(within_unit(image_pixel<Real>(node.image, 0, 0)));
                                  node.kind = PatternKind::image;
                                  node.wrap = p.wrap;
                                  node.filter = p.filter;
@@ -143,7 +151,7 @@ Rgb<Real> TextureTable<Real>::color(TextureId id, const TexturePoint<Real>& poin
         return gradient_color<Real>({stops_.data() + node->first, stops_.data() + node->second},
                                     p.x);
       case PatternKind::image:
-        return image_color(node->image, p.x, p.y, node->wrap, node->filter);
+        return within_unit(image_color(node->image, p.x, p.y, node->wrap, node->filter));
       case PatternKind::solid:
         break;
     }

@@ -150,6 +150,18 @@ TEST(Texture, TexturesChooseAmongTextures) {
   EXPECT_EQ(table.color(4, object_point(1.3, 0, 0)), kGreen);
 }
 
+// No surface reflects more than it receives: values of a picture of floats end at 0 and 1.
+TEST(Texture, PicturesAreTakenBetweenZeroAndOne) {
+  const std::vector<float> two = {4.0F, -1.0F, 0.5F, std::nanf(""), 1.0F, 0.0F};
+  const std::vector<float> one = {4.0F, -1.0F, 0.5F};
+  const auto table = table_of(
+      {texture(ImagePattern{0, ImageWrap::clamp, ImageFilter::nearest}), texture(ImagePattern{1})},
+      {{two.data(), 2, 1}, {one.data(), 1, 1}});
+  EXPECT_EQ(table.color(0, object_point(0.25, 0.5, 0)), Rgbd(1, 0, 0.5));
+  EXPECT_EQ(table.color(0, object_point(0.75, 0.5, 0)), Rgbd(0, 1, 0));
+  EXPECT_EQ(table.solid_color(1), Rgbd(1, 0, 0.5));
+}
+
 TEST(Texture, WhatShowsOneColourIsSolid) {
   const std::vector<float> gray(2 * 3 * 3, 0.25f);
   const std::vector<ImageView> images{{gray.data(), 3, 2}};
