@@ -12,8 +12,9 @@ const std::map<std::string, int> kFloorOfRoom = {
     {"parser/lex", 3},   {"parser/ast", 4},    {"parser/parse", 5}, {"parser/print", 5},
     {"parser/eval", 6},  {"render/simd", 3},   {"render/shape", 4}, {"render/image", 4},
     {"render/color", 4}, {"render/accel", 5},  {"render/film", 5},  {"render/surface", 5},
-    {"render/light", 5}, {"render/camera", 5}, {"render/wave", 6},  {"app/povray", 7},
-    {"app/study", 8},    {"app/batch", 8},     {"app/cli", 9},
+    {"render/light", 5}, {"render/camera", 5}, {"render/wave", 6},  {"app/page", 7},
+    {"app/nff", 7},      {"app/compare", 8},   {"app/povray", 9},   {"app/study", 10},
+    {"app/batch", 10},   {"app/cli", 11},
 };
 
 std::string side(const std::string& room) {
