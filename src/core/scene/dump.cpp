@@ -105,6 +105,21 @@ std::string text(const Pattern& pattern) {
       pattern);
 }
 
+std::string text(const PovFinish& m) {
+  const PovReflection& r = m.reflection;
+  return fmt::format("pov_finish color {} filter {} transmit {} ambient {} emission {}", m.color,
+                     text(m.filter), text(m.transmit), text(m.ambient), text(m.emission)) +
+         fmt::format(" diffuse {} brilliance {} phong {} phong_size {} specular {} roughness {}",
+                     text(m.diffuse), text(m.brilliance), text(m.phong), text(m.phong_size),
+                     text(m.specular), text(m.roughness)) +
+         fmt::format(" metallic {} reflection min {} max {} falloff {} fresnel {} metallic {}",
+                     text(m.metallic), text(r.min), text(r.max), text(r.falloff), r.fresnel,
+                     text(r.metallic)) +
+         fmt::format(" conserve_energy {} ior {} fade_distance {} fade_power {} fade_color {}",
+                     m.conserve_energy, text(m.ior), text(m.fade_distance), text(m.fade_power),
+                     text(m.fade_color));
+}
+
 std::string text(const Scattering& scattering) {
   return std::visit(
       Overloaded{
@@ -127,7 +142,8 @@ std::string text(const Scattering& scattering) {
             return fmt::format("coat ior {} absorption {} base_albedo {}", text(c.ior),
                                text(c.absorption), c.base_albedo);
           },
-          [](const Black&) { return std::string("black"); }},
+          [](const Black&) { return std::string("black"); },
+          [](const PovFinish& m) { return text(m); }},
       scattering);
 }
 

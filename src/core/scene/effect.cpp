@@ -1,6 +1,7 @@
 #include "core/scene/effect.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "core/base/overloaded.h"
 
@@ -46,6 +47,25 @@ void call_texture(Walk& walk, TextureId id) {
       texture.pattern);
 }
 
+void call_pov_finish(Walk& walk, const PovFinish& m, SourceSpan by) {
+  const bool is_black_body = walk.solid[m.color] && is_black(*walk.solid[m.color]);
+  const bool colored = !is_black_body && opacity(m) > 0;
+  const bool glows = !is_black(m.ambient) || !is_black(m.emission);
+  const bool reflects = !is_black(m.reflection.min) || !is_black(m.reflection.max);
+  const bool clear = m.transmit > 0 || (m.filter > 0 && !is_black_body);
+  EffectSet& set = walk.set;
+  const auto call_if = [&](bool called, Effect effect) {
+    if (called) set.call(effect, by);
+    return called;
+  };
+  const bool shades =
+      call_if((colored && m.diffuse > 0) || m.phong > 0 || m.specular > 0, Effect::pov_finish);
+  const bool shows = call_if(colored && glows, Effect::pov_glow);
+  const bool mirrors = call_if(reflects, Effect::pov_reflection);
+  const bool passes = call_if(clear, Effect::pov_transmission);
+  if (shades || shows || mirrors || passes) call_texture(walk, m.color);
+}
+
 void call_scattering(Walk& walk, const Material& material, SourceSpan by) {
   EffectSet& set = walk.set;
   const auto is_zero = [&](TextureId id) { return walk.solid[id] && is_black(*walk.solid[id]); };
@@ -75,14 +95,19 @@ void call_scattering(Walk& walk, const Material& material, SourceSpan by) {
                           set.call(Effect::coat_base, material.span);
                           call_texture(walk, m.base_albedo);
                         },
-                        [](const Black&) {}},
+                        [](const Black&) {},
+                        [&](const PovFinish& m) { call_pov_finish(walk, m, material.span); }},
              material.scattering);
   if (!is_black(material.emission)) set.call(Effect::emission, by);
 }
 
+bool has_any(const EffectSet& set, std::initializer_list<Effect> effects) {
+  return std::any_of(effects.begin(), effects.end(), [&](Effect e) { return set.has(e); });
+}
+
 void call_lights(const Scene& scene, EffectSet& set) {
   // Mirrors, metals and glass show lights as things; only these surfaces answer to them.
-  if (!set.has(Effect::matte) && !set.has(Effect::highlights) && !set.has(Effect::coat_base))
+  if (!has_any(set, {Effect::matte, Effect::highlights, Effect::coat_base, Effect::pov_finish}))
     return;
   for (const Light& light : scene.lights) {
     if (!shines(light)) continue;
@@ -92,10 +117,11 @@ void call_lights(const Scene& scene, EffectSet& set) {
     if (!light.casts_shadows) continue;
     set.call(Effect::shadows, light.span);
     if (is_area(light.source)) set.call(Effect::soft_shadows, light.span);
-    if (!set.has(Effect::refraction)) continue;
-    set.call(Effect::tinted_shadows, {});
-    for (const SourceSpan glass : set.callers(Effect::refraction)) {
-      set.call(Effect::tinted_shadows, glass);
+    for (const Effect clear : {Effect::refraction, Effect::pov_transmission}) {
+      if (!set.has(clear)) continue;
+      set.call(Effect::tinted_shadows, {});
+      for (const SourceSpan solid : set.callers(clear))
+        set.call(Effect::tinted_shadows, solid);
     }
   }
 }
@@ -111,8 +137,9 @@ void call_background(const Scene& scene, EffectSet& set) {
                  [](const EnvironmentBackground& b) { return b.intensity != 0; }},
       background.source);
   // Behind a transparent picture only rays that were reflected or refracted see the background.
-  const bool seen = !scene.settings.transparent_background || set.has(Effect::mirror) ||
-                    set.has(Effect::metal) || set.has(Effect::coat) || set.has(Effect::refraction);
+  const bool seen = !scene.settings.transparent_background ||
+                    has_any(set, {Effect::mirror, Effect::metal, Effect::coat, Effect::refraction,
+                                  Effect::pov_reflection, Effect::pov_transmission});
   if (!lit || !seen) return;
   set.call(Effect::background, background.span);
   if (std::holds_alternative<EnvironmentBackground>(background.source)) {

@@ -1,5 +1,6 @@
 // core/scene: materials as plain data. Colours are in the scene-linear working space. For each
-// material reflected + transmitted + absorbed = incident, channel by channel (docs/physics.md).
+// material but PovFinish reflected + transmitted + absorbed = incident, channel by channel
+// (docs/physics.md).
 #pragma once
 
 #include <string>
@@ -47,8 +48,39 @@ struct Coat {
 };
 // Reflects nothing.
 struct Black {};
+// R = min + k (max - min): k = (1 - cos)^falloff of the view, or Fresnel's reflectance.
+struct PovReflection {
+  Rgbd min, max;
+  double falloff = 1;
+  bool fresnel = false;
+  double metallic = 0;  // in [0, 1]: how much of the colour is in it
+};
+// POV-Ray 3.7's own surface model (docs/pov_ray.md). The one material that may give off more light
+// than it receives.
+struct PovFinish {
+  TextureId color;
+  double filter = 0, transmit = 0;  // let through with the colour and without; sum at most 1
+  Rgbd ambient{0.1, 0.1, 0.1}, emission;
+  double diffuse = 0.6, brilliance = 1;
+  double phong = 0, phong_size = 40;
+  double specular = 0, roughness = 0.05;
+  double metallic = 0;  // of the highlights
+  PovReflection reflection;
+  bool conserve_energy = false;
+  double ior = 1;
+  double fade_distance = 0, fade_power = 0;  // light fades inside if neither is 0
+  Rgbd fade_color;
+};
 
-using Scattering = std::variant<Diffuse, Mirror, Metal, Glass, Coat, Black>;
+using Scattering = std::variant<Diffuse, Mirror, Metal, Glass, Coat, Black, PovFinish>;
+
+// What is neither let through by colour nor clear, and so answers to light as a surface.
+constexpr double opacity(const PovFinish& m) {
+  return 1 - (m.filter + m.transmit);
+}
+constexpr bool fades(const PovFinish& m) {
+  return m.fade_distance != 0 && m.fade_power != 0;
+}
 
 struct Material {
   Scattering scattering;

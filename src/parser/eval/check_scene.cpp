@@ -58,11 +58,30 @@ bool is_finite(const Camera& camera) {
   return finite(f.position, f.right, f.up, f.forward);
 }
 
+bool glows(const Material& material) {
+  if (!is_black(material.emission)) return true;
+  const auto* finish = std::get_if<PovFinish>(&material.scattering);
+  return finish != nullptr && !(is_black(finish->ambient) && is_black(finish->emission));
+}
+
 bool is_lit(const Scene& scene) {
   const auto* solid = std::get_if<SolidBackground>(&scene.background.source);
   return !scene.lights.empty() || solid == nullptr || !is_black(solid->color) ||
          std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const Material& m) { return !is_black(m.emission); });
+                     [](const Material& m) { return glows(m); });
+}
+
+// The inside of a material on a shape that has none.
+void check_open_shape(Context& context, const Scene& scene, const Shape& shape) {
+  const Scattering& scattering = scene.materials[shape.material].scattering;
+  const auto* finish = std::get_if<PovFinish>(&scattering);
+  if (std::holds_alternative<Glass>(scattering)) {
+    context.report<DiagnosticKind::glass_without_inside>(shape.span, kind_name(shape.geometry))
+        .hint("light bends on its way in and out of a solid: use a closed shape");
+  } else if (finish != nullptr && opacity(*finish) < 1 && (finish->ior != 1 || fades(*finish))) {
+    context.report<DiagnosticKind::finish_without_inside>(shape.span, kind_name(shape.geometry))
+        .hint("use a closed shape, or several that close with their normals outward");
+  }
 }
 
 }  // namespace
@@ -75,11 +94,7 @@ void check_scene(Context& context, const Scene& scene) {
     if (!is_finite(shape.geometry)) {
       context.report<DiagnosticKind::not_finite_in_scene>(shape.span, shape.name);
     }
-    const Material& material = scene.materials[shape.material];
-    if (std::holds_alternative<Glass>(material.scattering) && !is_closed(shape.geometry)) {
-      context.report<DiagnosticKind::glass_without_inside>(shape.span, kind_name(shape.geometry))
-          .hint("light bends on its way in and out of a solid: use a closed shape");
-    }
+    if (!is_closed(shape.geometry)) check_open_shape(context, scene, shape);
   }
   for (const Light& light : scene.lights) {
     if (!is_finite(light.source)) {

@@ -22,6 +22,8 @@ std::optional<MaterialId> lower_material(Context& context, const Properties& pro
 // The kind of block that a material was made by: what its variations may hold.
 const BlockSchema& schema_of(const Material& material);
 Highlight lower_highlight(const Properties& properties);
+std::optional<PovFinish> lower_pov_finish(Context& context, const Properties& properties,
+                                          TextureId color, const PovFinish* base);
 
 // The texture with the mapping and the transforms of a body.
 std::optional<TextureId> lower_texture(Context& context, const Properties& properties,

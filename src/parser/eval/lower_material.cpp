@@ -74,6 +74,11 @@ Lowered coat(Context& context, const Properties& p, const Coat* base) {
   return out;
 }
 
+Lowered pov_finish(Context& context, const Properties& p, const PovFinish* base) {
+  const TextureId color = texture_or(context, p, base != nullptr ? &base->color : nullptr);
+  return lower_pov_finish(context, p, color, base);
+}
+
 template <class Kind>
 const Kind* part_of(const Material* base) {
   return base != nullptr ? std::get_if<Kind>(&base->scattering) : nullptr;
@@ -86,6 +91,7 @@ Lowered scattering(Context& context, const Properties& p, const Material* base) 
   if (name == "metal") return metal(context, p, part_of<Metal>(base));
   if (name == "glass") return glass(context, p, part_of<Glass>(base));
   if (name == "coat") return coat(context, p, part_of<Coat>(base));
+  if (name == "pov_finish") return pov_finish(context, p, part_of<PovFinish>(base));
   return Black{};
 }
 
@@ -95,10 +101,12 @@ std::optional<MaterialId> lower_material(Context& context, const Properties& pro
                                          const Material* base) {
   const auto scatters = scattering(context, properties, base);
   if (!scatters) return std::nullopt;
+  Material out{*scatters, {}, false, "", properties.head()};
+  // POV-Ray's emission depends on the colour: it is part of the finish.
+  if (std::holds_alternative<PovFinish>(*scatters)) return context.add(std::move(out));
   // What glows says so by its colour, all others by `emission`.
   const bool glows = properties.schema().name == "glow";
   const std::string_view emission = glows ? "color" : "emission";
-  Material out{*scatters, {}, false, "", properties.head()};
   out.emission =
       base != nullptr && !properties.has(emission) ? base->emission : properties.color(emission);
   return context.add(std::move(out));
@@ -108,7 +116,8 @@ const BlockSchema& schema_of(const Material& material) {
   const std::string_view name = std::visit(
       Overloaded{[](const Diffuse&) { return "diffuse"; }, [](const Mirror&) { return "mirror"; },
                  [](const Metal&) { return "metal"; }, [](const Glass&) { return "glass"; },
-                 [](const Coat&) { return "coat"; }, [](const Black&) { return "glow"; }},
+                 [](const Coat&) { return "coat"; }, [](const Black&) { return "glow"; },
+                 [](const PovFinish&) { return "pov_finish"; }},
       material.scattering);
   return *find_schema(material_schemas(), name);
 }

@@ -90,7 +90,7 @@ bool check_property(Context& context, const PropertySpec& spec, const Value& val
   if (value.is(Type::texture)) found = "a texture with colours up to " + found;
   Diagnostic& d =
       context.report<DiagnosticKind::out_of_range>(span, spec.name, describe(spec.range), found);
-  if ((spec.types & kTexture) != 0) {
+  if ((spec.types & kTexture) != 0 && spec.range.contains(1) && !spec.range.contains(2)) {
     d.hint("a surface cannot reflect more light than it receives; channels are from 0 to 1");
   }
   return false;

@@ -67,6 +67,16 @@ void add_pattern(Key& key, const Pattern& pattern) {
              pattern);
 }
 
+void add_finish(Key& key, const PovFinish& m) {
+  key.add(std::uint64_t{m.color}).add(m.filter).add(m.transmit).add(m.ambient).add(m.emission);
+  key.add(m.diffuse).add(m.brilliance).add(m.phong).add(m.phong_size);
+  key.add(m.specular).add(m.roughness).add(m.metallic);
+  key.add(m.reflection.min).add(m.reflection.max).add(m.reflection.falloff);
+  key.add(std::uint64_t{m.reflection.fresnel}).add(m.reflection.metallic);
+  key.add(std::uint64_t{m.conserve_energy}).add(m.ior);
+  key.add(m.fade_distance).add(m.fade_power).add(m.fade_color);
+}
+
 void add_scattering(Key& key, const Scattering& scattering) {
   key.add(std::uint64_t{scattering.index()});
   std::visit(Overloaded{[&](const Diffuse& d) {
@@ -85,7 +95,7 @@ void add_scattering(Key& key, const Scattering& scattering) {
                         [&](const Coat& c) {
                           key.add(c.ior).add(c.absorption).add(std::uint64_t{c.base_albedo});
                         },
-                        [](const Black&) {}},
+                        [](const Black&) {}, [&](const PovFinish& m) { add_finish(key, m); }},
              scattering);
 }
 

@@ -11,7 +11,8 @@ MaterialId UsedRecords::material(MaterialId in_store) {
   Material copy = store_.material(in_store);
   std::visit(Overloaded{[&](Diffuse& d) { d.albedo = texture(d.albedo); },
                         [&](Mirror& m) { m.reflectance = texture(m.reflectance); },
-                        [&](Coat& c) { c.base_albedo = texture(c.base_albedo); }, [](auto&) {}},
+                        [&](Coat& c) { c.base_albedo = texture(c.base_albedo); },
+                        [&](PovFinish& m) { m.color = texture(m.color); }, [](auto&) {}},
              copy.scattering);
   const auto id = static_cast<MaterialId>(scene_.materials.size());
   scene_.materials.push_back(std::move(copy));

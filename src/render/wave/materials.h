@@ -80,6 +80,9 @@ class MaterialTable {
     record.color = m.base_albedo;
     record.coat = make_coat_layer<Real>(m);
   }
+  static void fill(const PovFinish& m, const Solid&, MaterialRecord<Real>& record) {
+    record.color = m.color;
+  }
   static void fill(const Black&, const Solid&, MaterialRecord<Real>&) {}
 
   static bool is_zero(const std::optional<Rgbd>& color) { return color && is_black(*color); }

@@ -140,7 +140,8 @@ constexpr BlockSchema kHighlights[] = {
      .example = "material diffuse { highlight blinn { strength 0.2  exponent 60 } }"},
 };
 constexpr const BlockSchema* kAllMaterials[] = {&kMaterials[0], &kMaterials[1], &kMaterials[2],
-                                                &kMaterials[3], &kMaterials[4], &kMaterials[5]};
+                                                &kMaterials[3], &kMaterials[4], &kMaterials[5],
+                                                &kPovFinish};
 constexpr const BlockSchema* kAllHighlights[] = {&kHighlights[0], &kHighlights[1]};
 
 }  // namespace

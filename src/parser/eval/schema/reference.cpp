@@ -49,12 +49,25 @@ void add_block(std::string& out, const BlockSchema& schema, std::string_view hea
   if (!schema.example.empty()) out += fmt::format("```scn\n{}\n```\n\n", schema.example);
 }
 
+// Blocks without a name that stand in this one alone.
+void add_inner_blocks(std::string& out, const BlockSchema& schema) {
+  for (const auto& table : schema.tables) {
+    for (const PropertySpec& spec : table) {
+      if (spec.kind_named) continue;
+      const BlockSchema& inner = *spec.blocks[0];
+      add_block(out, inner, fmt::format("`{}`", inner.name));
+    }
+  }
+}
+
 void add_blocks(std::string& out, std::string_view title, std::string_view before,
                 std::span<const BlockSchema* const> kinds) {
   out += fmt::format("## {}\n\n", title);
   for (const BlockSchema* kind : kinds) {
     if (kind->name != "solid") add_block(out, *kind, fmt::format("`{}{}`", before, kind->name));
   }
+  for (const BlockSchema* kind : kinds)
+    add_inner_blocks(out, *kind);
 }
 
 void add_functions(std::string& out) {
@@ -86,9 +99,6 @@ std::string schema_reference_markdown() {
       "## The scene\n\n";
   add_block(out, scene_schema(), "the file");
   add_blocks(out, "Cameras", "camera ", camera_schemas());
-  for (const PropertySpec& spec : camera_schemas()[0]->tables[1]) {
-    if (!spec.blocks.empty()) add_block(out, *spec.blocks[0], "`lens`");
-  }
   add_blocks(out, "Backgrounds", "background ", background_schemas());
   add_blocks(out, "Settings", "", render_schemas());
   add_blocks(out, "Lights", "light ", light_schemas());

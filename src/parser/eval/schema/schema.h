@@ -100,6 +100,7 @@ struct BlockSchema {
 // Shared tables (schema/common.cpp).
 extern const std::array<PropertySpec, 4> kTransformProperties;
 extern const std::array<PropertySpec, 2> kPlacedProperties;  // material, name
+extern const BlockSchema kPovFinish;  // the material of schema/pov_finish.cpp
 
 // Every kind there is, by what it makes (one file each in schema/).
 std::span<const BlockSchema* const> shape_schemas();      // `sphere { ... }`
