@@ -48,6 +48,12 @@ void FigureSums::add_pair(double a, double b, PixelPlace place) {
   if (error > counts_.largest.error) counts_.largest = {error, place, a, b};
 }
 
+void FigureSums::drop_means() {
+  squares_ = relative_squares_ = absolutes_ = 0.0;
+  counts_.compared = 0;
+  counts_.largest = {};
+}
+
 void FigureSums::add(const FigureSums& other) {
   squares_ += other.squares_;
   relative_squares_ += other.relative_squares_;

@@ -59,6 +59,8 @@ class FigureSums {
   FigureSums(std::span<const float> a, std::span<const float> b, int width,
              const Tolerance& tolerance);
 
+  // Leaves the counts only: of ids, which are names, no mean says anything.
+  void drop_means();
   // Takes another channel of the same picture in.
   void add(const FigureSums& other);
   // `peak`: the largest value that a signal has, for the PSNR.

@@ -21,7 +21,8 @@ PixelsOver pixels_over(std::span<const PlanePair> channels, int width, const Tol
   for (std::size_t i = 0; i < count; ++i) {
     PixelOver pixel{{static_cast<int>(i % columns), static_cast<int>(i / columns)}};
     for (const PlanePair& channel : channels) {
-      if (!is_over(channel.a[i], channel.b[i], tolerance)) continue;
+      const Tolerance allowed = channel.ids ? Tolerance{} : tolerance;
+      if (!is_over(channel.a[i], channel.b[i], allowed)) continue;
       ++pixel.channels;
       pixel.largest_error = std::max(pixel.largest_error, error(channel.a[i], channel.b[i]));
     }

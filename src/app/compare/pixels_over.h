@@ -13,6 +13,7 @@ namespace alhazen {
 // One channel of both pictures, row by row.
 struct PlanePair {
   std::span<const float> a, b;
+  bool ids = false;  // values are names: no tolerance lets one pass for another
 };
 
 struct PixelOver {

@@ -40,7 +40,7 @@ th[title] { text-decoration: underline dotted; cursor: help; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
 .pictures {
   display: grid; gap: 1rem; margin: 1rem 0;
-  grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr));
+  grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr));
 }
 figure { margin: 0; }
 figure button {
