@@ -84,7 +84,7 @@ TEST_F(Forms, DumpWantsExactlyOneForm) {
 }
 
 TEST_F(Forms, EveryVerbHasHelpWithExamples) {
-  for (const char* verb : {"render", "check", "fmt", "explain", "dump"}) {
+  for (const char* verb : {"render", "check", "fmt", "explain", "dump", "compare"}) {
     const Outcome outcome = run({verb, "--help"});
     EXPECT_EQ(outcome.code, 0) << verb;
     EXPECT_EQ(outcome.err, "");

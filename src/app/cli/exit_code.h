@@ -11,7 +11,8 @@ enum class ExitCode {
   usage = 2,
   io = 3,
   limit = 4,
-  stopped = 75,  // EX_TEMPFAIL of sysexits.h: run it again
+  different = 5,  // two pictures that were compared
+  stopped = 75,   // EX_TEMPFAIL of sysexits.h: run it again
 };
 
 constexpr ExitCode exit_code(ErrorCode code) {

@@ -30,9 +30,8 @@ Status check_overwrites(const std::vector<std::string>& outputs,
     if (!is_file(outputs[i])) continue;
     for (const fs::path& input : inputs) {
       if (!is_same(outputs[i], input)) continue;
-      return Error{
-          ErrorCode::usage,
-          fmt::format("`{}` would be written over, but the scene is made from it", outputs[i])};
+      return Error{ErrorCode::usage,
+                   fmt::format("`{}` would be written over, but it is an input", outputs[i])};
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (!is_file(outputs[j]) || !is_same(outputs[i], outputs[j])) continue;

@@ -11,6 +11,7 @@ constexpr Verb kVerbs[] = {
     {"fmt", "rewrite scenes in the canonical layout", run_fmt},
     {"explain", "say what a scene asks of the renderer, and which lines ask for it", run_explain},
     {"dump", "print what the program makes of a scene, step by step", run_dump},
+    {"compare", "say how two pictures differ, in figures and to look at", run_compare},
     {"import", "write the scene of another program as a .scn text", run_import},
     {"help", "say what a verb does and which options it has", run_help},
     {"version", "print the versions of the program and its libraries", run_version},

@@ -17,6 +17,7 @@ ExitCode run_check(const Arguments& arguments);
 ExitCode run_fmt(const Arguments& arguments);
 ExitCode run_explain(const Arguments& arguments);
 ExitCode run_dump(const Arguments& arguments);
+ExitCode run_compare(const Arguments& arguments);
 ExitCode run_import(const Arguments& arguments);
 ExitCode run_help(const Arguments& arguments);
 ExitCode run_version(const Arguments& arguments);
