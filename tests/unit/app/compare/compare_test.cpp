@@ -135,7 +135,7 @@ TEST(Compare, JsonHasNoNumberForWhatIsNone) {
 TEST(DifferencePicture, IsSignedAndHasFlip) {
   ComparedPicture a = colors_and_depth();
   const ComparedPicture b = a;
-  a.parts[0].pixels.at(2, 5, 7) -= 0.5F;          // G
+  a.parts[0].pixels.at(2, 5, 7) -= 2.0F;          // G: to 0.125, which a display shows
   a.parts[0].pixels.at(0, 1, 1) = std::nanf("");  // A
   a.parts[1].pixels.at(2, 3, 2) = 100.125F;       // Z
   const Comparison comparison = compare(a, b);
