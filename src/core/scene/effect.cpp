@@ -52,7 +52,6 @@ void call_pov_finish(Walk& walk, const PovFinish& m, SourceSpan by) {
   const bool colored = !is_black_body && opacity(m) > 0;
   const bool glows = !is_black(m.ambient) || !is_black(m.emission);
   const bool reflects = !is_black(m.reflection.min) || !is_black(m.reflection.max);
-  const bool clear = m.transmit > 0 || (m.filter > 0 && !is_black_body);
   EffectSet& set = walk.set;
   const auto call_if = [&](bool called, Effect effect) {
     if (called) set.call(effect, by);
@@ -62,7 +61,7 @@ void call_pov_finish(Walk& walk, const PovFinish& m, SourceSpan by) {
       call_if((colored && m.diffuse > 0) || m.phong > 0 || m.specular > 0, Effect::pov_finish);
   const bool shows = call_if(colored && glows, Effect::pov_glow);
   const bool mirrors = call_if(reflects, Effect::pov_reflection);
-  const bool passes = call_if(clear, Effect::pov_transmission);
+  const bool passes = call_if(lets_light_through(m, walk.solid), Effect::pov_transmission);
   if (shades || shows || mirrors || passes) call_texture(walk, m.color);
 }
 
@@ -196,6 +195,11 @@ std::vector<std::optional<Rgbd>> solid_colors(const Scene& scene) {
         texture.pattern));
   }
   return solid;
+}
+
+bool lets_light_through(const PovFinish& finish, const std::vector<std::optional<Rgbd>>& solid) {
+  const std::optional<Rgbd>& color = solid[finish.color];
+  return finish.transmit > 0 || (finish.filter > 0 && !(color && is_black(*color)));
 }
 
 EffectSet derive_effects(const Scene& scene) {

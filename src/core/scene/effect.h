@@ -47,4 +47,7 @@ bool shines(const Light& light);
 // For each texture the colour that it has everywhere, or nothing.
 std::vector<std::optional<Rgbd>> solid_colors(const Scene& scene);
 
+// Whether some light passes such a surface; `solid` as from solid_colors.
+bool lets_light_through(const PovFinish& finish, const std::vector<std::optional<Rgbd>>& solid);
+
 }  // namespace alhazen

@@ -70,9 +70,10 @@ class Integrator {
 
   // How much work a stage has before it, for the figures.
   std::size_t items_of(StageId id) const {
-    if (id >= StageId::ambient_on_matte && id <= StageId::rectangle_on_coat) {
-      const std::size_t lists[] = {wave_.matte.size(), wave_.glossy.size(), wave_.coat.size()};
-      return lists[(static_cast<int>(id) - static_cast<int>(StageId::ambient_on_matte)) % 3];
+    if (id >= StageId::ambient_on_matte && id <= StageId::rectangle_on_pov) {
+      const std::size_t lists[] = {wave_.matte.size(), wave_.glossy.size(), wave_.coat.size(),
+                                   wave_.pov.size()};
+      return lists[(static_cast<int>(id) - static_cast<int>(StageId::ambient_on_matte)) % 4];
     }
     switch (id) {
       case StageId::closest_hits:
@@ -96,6 +97,12 @@ class Integrator {
         return wave_.coat.size();
       case StageId::glass:
         return wave_.glass.size();
+      case StageId::pov_glow:
+        return wave_.pov_glowing.size();
+      case StageId::pov_reflection:
+        return wave_.pov_mirror.size();
+      case StageId::pov_transmission:
+        return wave_.pov_clear.size();
       default:
         return wave_.hits.size();
     }

@@ -9,11 +9,12 @@
 #include "core/scene/scene.h"
 #include "render/surface/coat.h"
 #include "render/surface/highlight.h"
+#include "render/surface/pov_finish.h"
 
 namespace alhazen::render {
 
 // Which stages a hit goes to. `matte` is diffuse without a highlight, `glossy` diffuse with one.
-enum class SurfaceKind : std::uint8_t { black, matte, glossy, coat, mirror, metal, glass };
+enum class SurfaceKind : std::uint8_t { black, matte, glossy, coat, mirror, metal, glass, pov };
 
 template <class Real>
 struct MaterialRecord {
@@ -25,8 +26,11 @@ struct MaterialRecord {
   HighlightLobe<Real> lobe;
   CoatLayer<Real> coat;
   Rgb<Real> conductor_n, conductor_k;
-  Real ior = 1;
+  Real ior = 1;          // of the inside of glass and of a pov_finish
   Rgb<Real> absorption;  // of glass, per length
+  PovSurface<Real> pov;
+  bool pov_glows = false, pov_reflects = false;
+  bool pov_clear = false;  // lets light through
 };
 
 template <class Real>
@@ -80,8 +84,14 @@ class MaterialTable {
     record.color = m.base_albedo;
     record.coat = make_coat_layer<Real>(m);
   }
-  static void fill(const PovFinish& m, const Solid&, MaterialRecord<Real>& record) {
+  static void fill(const PovFinish& m, const Solid& solid, MaterialRecord<Real>& record) {
+    record.kind = SurfaceKind::pov;
     record.color = m.color;
+    record.ior = static_cast<Real>(m.ior);
+    record.pov = make_pov_surface<Real>(m);
+    record.pov_glows = !is_zero(solid[m.color]) && !is_black(record.pov.glow);
+    record.pov_reflects = !is_black(m.reflection.min) || !is_black(m.reflection.max);
+    record.pov_clear = lets_light_through(m, solid);
   }
   static void fill(const Black&, const Solid&, MaterialRecord<Real>&) {}
 

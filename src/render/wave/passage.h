@@ -25,6 +25,17 @@ Passage<Real> cross_surface(const World<Real>& world, MediumPool& media, MediumI
   return {behind, from != to, world.ior_of(from), world.ior_of(to)};
 }
 
+// The same at a shape, which may be a sheet with nothing inside.
+template <class Real>
+Passage<Real> cross_shape(const World<Real>& world, MediumPool& media, MediumId here, ShapeId shape,
+                          bool entering) {
+  if (!world.thin[shape]) {
+    return cross_surface(world, media, here, world.material_of[shape], entering);
+  }
+  const Real ior = world.ior_of(media.current(here, world.materials.priorities()));
+  return {here, false, ior, ior};
+}
+
 // The list of media that a ray is in before it meets a surface. Who leaves a solid it was not known
 // to be in has been in it all along: the camera stands in an open shape.
 inline MediumId before_surface(MediumPool& media, MediumId here, MaterialId material,

@@ -16,6 +16,8 @@ class Planner {
     if (!scene_.shapes.empty()) {
       if (effects_.has(Effect::refraction)) {
         when(StageId::interfaces, {Effect::refraction});
+      } else if (effects_.has(Effect::pov_transmission)) {
+        when(StageId::interfaces, {Effect::pov_transmission});
       } else {
         always(StageId::closest_hits);
       }
@@ -41,8 +43,12 @@ class Planner {
   void add_surfaces() {
     const bool lit = effects_.has(Effect::direct_light) || effects_.has(Effect::ambient_light);
     const bool scattering = effects_.has(Effect::matte) || effects_.has(Effect::highlights) ||
-                            effects_.has(Effect::coat_base);
-    const bool colored = (lit && scattering) || effects_.has(Effect::mirror) || wants_albedo_;
+                            effects_.has(Effect::coat_base) || effects_.has(Effect::pov_finish);
+    const bool pov_colored = effects_.has(Effect::pov_glow) ||
+                             effects_.has(Effect::pov_reflection) ||
+                             effects_.has(Effect::pov_transmission);
+    const bool colored =
+        (lit && scattering) || effects_.has(Effect::mirror) || pov_colored || wants_albedo_;
     const bool reflecting = effects_.has(Effect::mirror) || effects_.has(Effect::metal) ||
                             effects_.has(Effect::coat) || effects_.has(Effect::refraction);
     if (colored && effects_.has(Effect::textures)) {
@@ -53,11 +59,14 @@ class Planner {
       if (colored) always(StageId::plain_colors);
     }
     when(StageId::emission, {Effect::emission});
+    when(StageId::pov_glow, {Effect::pov_glow});
     add_lights();
     when(StageId::mirror, {Effect::mirror});
     when(StageId::metal, {Effect::metal});
     when(StageId::coat, {Effect::coat});
     when(StageId::glass, {Effect::refraction});
+    when(StageId::pov_reflection, {Effect::pov_reflection});
+    when(StageId::pov_transmission, {Effect::pov_transmission});
   }
 
   void add_lights() {
@@ -65,11 +74,11 @@ class Planner {
     constexpr Effect kLights[] = {Effect::ambient_light,      Effect::point_lights,
                                   Effect::directional_lights, Effect::spot_lights,
                                   Effect::sphere_lights,      Effect::rectangle_lights};
-    constexpr Effect kSurfaces[] = {Effect::matte, Effect::highlights, Effect::coat_base};
-    static_assert(
-        static_cast<int>(StageId::rectangle_on_coat) - static_cast<int>(kFirstStage) + 1 ==
-            std::size(kLights) * std::size(kSurfaces),
-        "stage.def lists each light on each surface in this order");
+    constexpr Effect kSurfaces[] = {Effect::matte, Effect::highlights, Effect::coat_base,
+                                    Effect::pov_finish};
+    static_assert(static_cast<int>(StageId::rectangle_on_pov) - static_cast<int>(kFirstStage) + 1 ==
+                      std::size(kLights) * std::size(kSurfaces),
+                  "stage.def lists each light on each surface in this order");
     int stage = static_cast<int>(kFirstStage);
     for (const Effect light : kLights) {
       for (const Effect surface : kSurfaces) {

@@ -48,7 +48,7 @@ struct StagePlan {
 };
 
 // What the scene calls for, with what only the geometry can tell: whether a point that camera rays
-// start from may lie inside glass.
+// start from may lie inside of something clear.
 EffectSet effects_of(const Scene& scene);
 
 // `wants_albedo`: a data channel asks for the colours of surfaces that no light and no ray would.

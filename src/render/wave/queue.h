@@ -122,8 +122,8 @@ struct HitQueue {
   std::vector<std::uint32_t> ray;  // index into the generation's RayQueue
   std::vector<Hit<Real>> hit;
   std::vector<MaterialId> material;
-  // Faces passed at the very point of the hit without being an interface; only where there is
-  // glass.
+  // Faces passed at the very point of the hit without being an interface; only where rays pass
+  // through things.
   std::vector<std::array<Touched, 4>> passed;
   std::vector<Vec3<Real>> position;               // on the surface, world frame of the renderer
   std::vector<Vec3<Real>> geometric_normal;       // outward, unit

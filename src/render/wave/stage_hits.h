@@ -42,8 +42,11 @@ void find_interfaces(Wave<Real>& wave) {
     auto hit = closest_hit(world.shapes, ray, source, infinity<Real>());
     while (hit) {
       const MaterialId material = world.material_of[hit->shape];
-      if (world.materials[material].kind != SurfaceKind::glass) break;
+      const MaterialRecord<Real>& record = world.materials[material];
+      const bool is_glass = record.kind == SurfaceKind::glass;
+      if (!is_glass && !(record.pov_clear && !world.thin[hit->shape])) break;
       medium = before_surface(wave.media, medium, material, hit->enters);
+      if (!is_glass) break;  // its colour counts, whatever the media
       const Passage<Real> passage = cross_surface(world, wave.media, medium, material, hit->enters);
       if (passage.is_interface) break;
       medium = passage.behind;

@@ -8,14 +8,23 @@
 
 namespace alhazen::render {
 
-// How a kind of surface answers to light: value() is the reflectance distribution, without the
-// cosine; even_sky() its integral with the cosine, what radiance 1 from everywhere adds.
+// One light seen from one point of a surface that faces it.
+template <class Real>
+struct Illumination {
+  Vec3<Real> normal, to_view;
+  LightSample<Real> light;
+  Real cosine;  // of the light with the normal, > 0
+  bool casts_shadows;
+};
+
+// How a kind of surface answers to light: scattered() is the radiance that it adds; even_sky() what
+// radiance 1 from everywhere adds.
 template <class Real>
 struct MatteResponse {
   static const std::vector<std::uint32_t>& hits(const Wave<Real>& wave) { return wave.matte; }
-  static Rgb<Real> value(const MaterialRecord<Real>&, Rgb<Real> color, Vec3<Real>, Vec3<Real>,
-                         Vec3<Real>) {
-    return color / pi<Real>();
+  static Rgb<Real> scattered(const MaterialRecord<Real>&, Rgb<Real> color,
+                             const Illumination<Real>& at) {
+    return at.cosine * at.light.weight * (color / pi<Real>());
   }
   static Rgb<Real> even_sky(const MaterialRecord<Real>&, Rgb<Real> color, Real) { return color; }
 };
@@ -23,9 +32,11 @@ struct MatteResponse {
 template <class Real>
 struct GlossyResponse {
   static const std::vector<std::uint32_t>& hits(const Wave<Real>& wave) { return wave.glossy; }
-  static Rgb<Real> value(const MaterialRecord<Real>& material, Rgb<Real> color, Vec3<Real> normal,
-                         Vec3<Real> to_view, Vec3<Real> to_light) {
-    return color / pi<Real>() + highlight_value(material.lobe, normal, to_view, to_light);
+  static Rgb<Real> scattered(const MaterialRecord<Real>& material, Rgb<Real> color,
+                             const Illumination<Real>& at) {
+    const Rgb<Real> value = color / pi<Real>() + highlight_value(material.lobe, at.normal,
+                                                                 at.to_view, at.light.direction);
+    return at.cosine * at.light.weight * value;
   }
   // Highlights answer to lights that have a place; an even sky would only make the surface
   // brighter.
@@ -35,12 +46,30 @@ struct GlossyResponse {
 template <class Real>
 struct CoatResponse {
   static const std::vector<std::uint32_t>& hits(const Wave<Real>& wave) { return wave.coat; }
-  static Rgb<Real> value(const MaterialRecord<Real>& material, Rgb<Real> color, Vec3<Real> normal,
-                         Vec3<Real> to_view, Vec3<Real> to_light) {
-    return coat_diffuse_value(material.coat, color, dot(normal, to_view), dot(normal, to_light));
+  static Rgb<Real> scattered(const MaterialRecord<Real>& material, Rgb<Real> color,
+                             const Illumination<Real>& at) {
+    return at.cosine * at.light.weight *
+           coat_diffuse_value(material.coat, color, dot(at.normal, at.to_view), at.cosine);
   }
   static Rgb<Real> even_sky(const MaterialRecord<Real>& material, Rgb<Real> color, Real cos_view) {
     return coat_diffuse_albedo(material.coat, color, cos_view);
+  }
+};
+
+// A light without shadows is POV-Ray's fill light, which makes no highlight.
+template <class Real>
+struct PovResponse {
+  static const std::vector<std::uint32_t>& hits(const Wave<Real>& wave) { return wave.pov; }
+  static Rgb<Real> scattered(const MaterialRecord<Real>& material, Rgb<Real> color,
+                             const Illumination<Real>& at) {
+    Rgb<Real> answer = pov_diffuse(material.pov, color, at.cosine);
+    if (at.casts_shadows) {
+      answer += pov_highlights(material.pov, color, at.normal, at.to_view, at.light.direction);
+    }
+    return at.light.weight * answer;
+  }
+  static Rgb<Real> even_sky(const MaterialRecord<Real>& material, Rgb<Real> color, Real) {
+    return material.pov.diffuse * color;
   }
 };
 
@@ -70,13 +99,13 @@ void queue_light(Wave<Real>& wave, std::uint32_t h, const LightSample<Real>& sam
   const bool same_side = wave.hits.hit[h].enters ? above > Real(0) : above < Real(0);
   if (!(cosine > Real(0)) || !same_side || !(dot(normal, view) > Real(0))) return;
   const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material[h]];
-  const Rgb<Real> scattered =
-      Response<Real>::value(material, wave.hits.color[h], normal, view, sample.direction);
+  const Rgb<Real> scattered = Response<Real>::scattered(
+      material, wave.hits.color[h], {normal, view, sample, cosine, light.casts_shadows});
   if (is_black(scattered)) return;
   auto& queue = light.casts_shadows ? wave.light_paths : wave.unshadowed;
   queue.push({wave.hits.position[h], sample.direction}, wave.source_at(h, false), sample.distance,
-             light.visible_shape, wave.rays.weight[i] * (cosine * sample.weight * scattered),
-             wave.rays.slot[i], wave.rays.medium[i]);
+             light.visible_shape, wave.rays.weight[i] * scattered, wave.rays.slot[i],
+             wave.rays.medium[i]);
 }
 
 template <class Real, template <class> class Response>

@@ -41,6 +41,25 @@ Real straight_transmission(const Passage<Real>& passage, Real cosine) {
   return dielectric_interface(cosine, lower / higher).transmittance;
 }
 
+// The share that a clear surface of POV-Ray's model lets through on a straight path, and what has
+// been lost on the way to it inside of its solid.
+template <class Real>
+Rgb<Real> pov_shadow(const World<Real>& world, const Ray<Real>& ray, const Hit<Real>& hit,
+                     Real distance) {
+  const MaterialRecord<Real>& material = world.materials[world.material_of[hit.shape]];
+  const auto solid = world.textures.solid_color(material.color);
+  Rgb<Real> share;
+  if (solid) {
+    share = pov_passed(material.pov, *solid);
+  } else {
+    const SurfacePoint<Real> p = world.shapes.surface(hit.shape, ray, hit.crossing());
+    const TexturePoint<Real> at{p.object_position, p.position, p.u, p.v};
+    share = pov_passed(material.pov, world.textures.color(material.color, at));
+  }
+  const bool leaves = material.pov.fades && !hit.enters;
+  return leaves ? share * pov_fade(material.pov, distance) : share;
+}
+
 // Follows one path through every surface between the point and the light; what arrives of 1. The
 // path is one straight line: its hits are visited in their order on it, and nothing starts anew.
 template <class Real>
@@ -58,17 +77,22 @@ Rgb<Real> follow_to_light(Wave<Real>& wave, std::size_t i) {
   for (; !is_black(share); hit = next_hit(world.shapes, ray, source, *hit, distance, lamp)) {
     const Real here = hit ? hit->t : distance;
     const MaterialId material = hit ? world.material_of[hit->shape] : kNoId;
+    const bool is_pov = hit && world.materials[material].pov_clear;
     if (hit) {
-      if (world.materials[material].kind != SurfaceKind::glass) return Rgb<Real>{};
-      medium = before_surface(wave.media, medium, material, hit->enters);
+      if (!is_pov && world.materials[material].kind != SurfaceKind::glass) return Rgb<Real>{};
+      if (!world.thin[hit->shape]) {
+        medium = before_surface(wave.media, medium, material, hit->enters);
+      }
     }
     const MaterialId inside = wave.media.current(medium, world.materials.priorities());
     if (inside != kNoId) {
       share = share * transmitted_share(world.materials[inside].absorption, here - travelled);
     }
     if (!hit) break;
-    const Passage<Real> passage = cross_surface(world, wave.media, medium, material, hit->enters);
-    if (passage.is_interface) {
+    const Passage<Real> passage = cross_shape(world, wave.media, medium, hit->shape, hit->enters);
+    if (is_pov) {
+      share = share * pov_shadow(world, ray, *hit, here - travelled);
+    } else if (passage.is_interface) {
       const SurfacePoint<Real> point = world.shapes.plain_surface(hit->shape, ray, hit->crossing());
       share = straight_transmission(passage, absolute(dot(ray.direction, point.normal))) * share;
     }

@@ -7,6 +7,7 @@
 #include "render/wave/stage_glass.h"
 #include "render/wave/stage_hits.h"
 #include "render/wave/stage_light.h"
+#include "render/wave/stage_pov.h"
 #include "render/wave/stage_reflect.h"
 #include "render/wave/stage_shadow.h"
 
@@ -53,36 +54,48 @@ typename StageCall<Real>::Function stage_function(StageId id) {
       return add_ambient<Real, GlossyResponse>;
     case StageId::ambient_on_coat:
       return add_ambient<Real, CoatResponse>;
+    case StageId::ambient_on_pov:
+      return add_ambient<Real, PovResponse>;
     case StageId::point_on_matte:
       return shine_points<Real, MatteResponse>;
     case StageId::point_on_glossy:
       return shine_points<Real, GlossyResponse>;
     case StageId::point_on_coat:
       return shine_points<Real, CoatResponse>;
+    case StageId::point_on_pov:
+      return shine_points<Real, PovResponse>;
     case StageId::directional_on_matte:
       return shine_directionals<Real, MatteResponse>;
     case StageId::directional_on_glossy:
       return shine_directionals<Real, GlossyResponse>;
     case StageId::directional_on_coat:
       return shine_directionals<Real, CoatResponse>;
+    case StageId::directional_on_pov:
+      return shine_directionals<Real, PovResponse>;
     case StageId::spot_on_matte:
       return shine_spots<Real, MatteResponse>;
     case StageId::spot_on_glossy:
       return shine_spots<Real, GlossyResponse>;
     case StageId::spot_on_coat:
       return shine_spots<Real, CoatResponse>;
+    case StageId::spot_on_pov:
+      return shine_spots<Real, PovResponse>;
     case StageId::sphere_on_matte:
       return shine_spheres<Real, MatteResponse>;
     case StageId::sphere_on_glossy:
       return shine_spheres<Real, GlossyResponse>;
     case StageId::sphere_on_coat:
       return shine_spheres<Real, CoatResponse>;
+    case StageId::sphere_on_pov:
+      return shine_spheres<Real, PovResponse>;
     case StageId::rectangle_on_matte:
       return shine_rectangles<Real, MatteResponse>;
     case StageId::rectangle_on_glossy:
       return shine_rectangles<Real, GlossyResponse>;
     case StageId::rectangle_on_coat:
       return shine_rectangles<Real, CoatResponse>;
+    case StageId::rectangle_on_pov:
+      return shine_rectangles<Real, PovResponse>;
     case StageId::unshadowed:
       return add_unshadowed<Real>;
     case StageId::opaque_shadows:
@@ -97,6 +110,12 @@ typename StageCall<Real>::Function stage_function(StageId id) {
       return reflect_in_coats<Real>;
     case StageId::glass:
       return refract_in_glass<Real>;
+    case StageId::pov_glow:
+      return add_pov_glow<Real>;
+    case StageId::pov_reflection:
+      return reflect_as_pov<Real>;
+    case StageId::pov_transmission:
+      return transmit_as_pov<Real>;
   }
   return nullptr;
 }

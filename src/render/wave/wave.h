@@ -60,6 +60,7 @@ struct Wave {
   std::vector<std::uint32_t> escaped;  // rays that met nothing
   // Hits by what their surface does, each a list of indices in order.
   std::vector<std::uint32_t> matte, glossy, coat, mirror, metal, glass, glowing;
+  std::vector<std::uint32_t> pov, pov_glowing, pov_mirror, pov_clear;
   ShadowQueue<Real> light_paths, unshadowed;
   MediumPool media;
   WaveCounters counters;
@@ -105,7 +106,8 @@ struct Wave {
   void start_generation() {
     hits.clear();
     escaped.clear();
-    for (auto* list : {&matte, &glossy, &coat, &mirror, &metal, &glass, &glowing})
+    for (auto* list : {&matte, &glossy, &coat, &mirror, &metal, &glass, &glowing, &pov,
+                       &pov_glowing, &pov_mirror, &pov_clear})
       list->clear();
     light_paths.clear();
     unshadowed.clear();
@@ -117,18 +119,21 @@ struct Wave {
       const auto h = static_cast<std::uint32_t>(i);
       const MaterialRecord<Real>& material = world.materials[hits.material[h]];
       if (material.emits && (!material.one_sided || hits.hit[i].enters)) glowing.push_back(h);
+      if (material.pov_glows) pov_glowing.push_back(h);
+      if (material.pov_reflects) pov_mirror.push_back(h);
+      if (material.pov_clear) pov_clear.push_back(h);
       if (auto* list = list_of(material.kind)) list->push_back(h);
     }
   }
 
   // Sends a ray on one deeper, or counts why not. `reflection` tells the two kinds apart in the
-  // figures.
+  // figures. A ray that is `unbent` may go on only where a deeper one might, but counts as none.
   void spawn(bool reflection, std::size_t parent, const Ray<Real>& ray, const Source& source,
-             Rgb<Real> weight, MediumId medium) {
+             Rgb<Real> weight, MediumId medium, bool unbent = false) {
     if (is_black(weight)) return;
-    const std::uint32_t depth = rays.depth[parent] + 1;
+    const std::uint32_t deeper = rays.depth[parent] + 1;
     const SlotId slot = rays.slot[parent];
-    if (depth > world.max_depth) {
+    if (deeper > world.max_depth) {
       ++counters.cut_by_depth;
       slots.dropped[slot] += weight;
       return;
@@ -141,7 +146,8 @@ struct Wave {
     ++(reflection ? counters.reflection_rays : counters.refraction_rays);
     ++slots.rays[slot];
     const std::uint64_t branch = reflection ? 1 : 2;
-    next.push(ray, source, weight, slot, medium, mix_64(rays.path[parent], branch), depth);
+    next.push(ray, source, weight, slot, medium, mix_64(rays.path[parent], branch),
+              unbent ? deeper - 1 : deeper);
   }
 
  private:
@@ -159,6 +165,8 @@ struct Wave {
         return &metal;
       case SurfaceKind::glass:
         return &glass;
+      case SurfaceKind::pov:
+        return &pov;
       case SurfaceKind::black:
         break;
     }

@@ -32,10 +32,12 @@ struct World {
         seed(scene.settings.seed) {
     for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
       const Shape& shape = scene.shapes[id];
+      const MaterialRecord<Real>& material = materials[shape.material];
+      const bool closed = is_closed(shape.geometry);
+      const bool clear_pov = material.kind == SurfaceKind::pov && material.pov_clear;
       material_of.push_back(shape.material);
-      const bool is_glass =
-          std::holds_alternative<Glass>(scene.materials[shape.material].scattering);
-      if (is_glass && is_closed(shape.geometry)) glass_solids.push_back(id);
+      thin.push_back(clear_pov && !closed && material.ior == 1 && !material.pov.fades);
+      if (closed && (clear_pov || material.kind == SurfaceKind::glass)) clear_solids.push_back(id);
     }
   }
 
@@ -65,7 +67,8 @@ struct World {
   CameraKernel<Real> camera;
   BackgroundRadiance<Real> background;
   std::vector<MaterialId> material_of;  // of each shape
-  std::vector<ShapeId> glass_solids;    // in the scene's order
+  std::vector<std::uint8_t> thin;       // of each shape: a clear sheet with nothing inside
+  std::vector<ShapeId> clear_solids;    // that rays can be inside of, in the scene's order
   Real cutoff;
   std::uint32_t max_depth;
   bool transparent_background;
