@@ -108,8 +108,8 @@ inline Rgb<Real> pov_reflectance(const PovSurface<Real>& s, Rgb<Real> color, Rea
 // What `conserve_energy` leaves for what passes.
 template <class Real>
 inline Rgb<Real> pov_rest(Rgb<Real> reflectance) {
-  return {larger(Real(0), 1 - reflectance.r), larger(Real(0), 1 - reflectance.g),
-          larger(Real(0), 1 - reflectance.b)};
+  const auto rest = [](Real r) { return larger(Real(0), 1 - r); };
+  return {rest(reflectance.r), rest(reflectance.g), rest(reflectance.b)};
 }
 
 // What a surface lets through, whatever the angle.

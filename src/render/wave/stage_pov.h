@@ -16,40 +16,55 @@ void add_pov_glow(Wave<Real>& wave) {
   }
 }
 
-// The surface of hit `h` as a step of the index of refraction.
+// A hit on a finish that reflects or is clear.
 template <class Real>
-struct PovStep {
+struct PovHit {
   Passage<Real> passage;
   DielectricInterface<Real> interface;
+  Rgb<Real> reflected;    // the part that is
+  Rgb<Real> transmitted;  // the part that is, if there is no total reflection
+  // Total reflection takes the place of the other, but only where light would pass: POV-Ray does
+  // not look for it where `conserve_energy` has left nothing.
+  bool reflects_totally;
 };
 
+// Index of this side over that of the other, as a `fresnel` reflection goes by it. On leaving one
+// solid of several it is not the one that rays are bent by: POV-Ray 3.7 takes the solid entered
+// last for the other side, also where that is the one being left.
 template <class Real>
-PovStep<Real> pov_step(Wave<Real>& wave, std::size_t h) {
+Real pov_fresnel_eta(const Passage<Real>& passage, Real own, bool entering) {
+  if (entering) return passage.ior_here / own;
+  return passage.behind == kVacuum ? own : own / passage.ior_here;
+}
+
+template <class Real>
+PovHit<Real> find_pov_hit(Wave<Real>& wave, std::size_t h) {
   const Hit<Real>& hit = wave.hits.hit[h];
-  const MediumId known = wave.rays.medium[wave.hits.ray[h]];
-  const MediumId here = wave.world.thin[hit.shape]
-                            ? known
-                            : before_surface(wave.media, known, wave.hits.material[h], hit.enters);
-  PovStep<Real> step{cross_shape(wave.world, wave.media, here, hit.shape, hit.enters), {}};
-  step.interface = dielectric_interface(incident_cosine(wave, h),
-                                        step.passage.ior_here / step.passage.ior_behind);
-  return step;
+  const MaterialId id = wave.hits.material[h];
+  const MaterialRecord<Real>& material = wave.world.materials[id];
+  const Real cosine = incident_cosine(wave, h);
+  MediumId here = wave.rays.medium[wave.hits.ray[h]];
+  if (!wave.world.thin[hit.shape]) here = before_surface(wave.media, here, id, hit.enters);
+  PovHit<Real> met{};
+  met.passage = cross_shape(wave.world, wave.media, here, hit.shape, hit.enters);
+  met.interface = dielectric_interface(cosine, met.passage.ior_here / met.passage.ior_behind);
+  Real fresnel = 0;
+  if (material.pov.fresnel) {
+    const Real eta = pov_fresnel_eta(met.passage, material.ior, hit.enters);
+    fresnel = dielectric_interface(cosine, eta).reflectance;
+  }
+  met.reflected = pov_reflectance(material.pov, wave.hits.color[h], cosine, fresnel);
+  met.transmitted = pov_passed(material.pov, wave.hits.color[h]);
+  if (material.pov.conserves_energy) met.transmitted = met.transmitted * pov_rest(met.reflected);
+  met.reflects_totally = met.interface.total_reflection && !is_black(met.transmitted);
+  return met;
 }
 
-template <class Real>
-Rgb<Real> pov_reflectance_at(const Wave<Real>& wave, std::size_t h, const PovStep<Real>& step) {
-  return pov_reflectance(wave.world.materials[wave.hits.material[h]].pov, wave.hits.color[h],
-                         incident_cosine(wave, h), step.interface.reflectance);
-}
-
-// A clear surface that reflects totally does so in transmit_as_pov, and not here as well.
 template <class Real>
 void reflect_as_pov(Wave<Real>& wave) {
   for (const std::uint32_t h : wave.pov_mirror) {
-    const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material[h]];
-    const PovStep<Real> step = pov_step(wave, h);
-    if (material.pov_clear && step.interface.total_reflection) continue;
-    spawn_reflection(wave, h, pov_reflectance_at(wave, h, step));
+    const PovHit<Real> met = find_pov_hit(wave, h);
+    if (!met.reflects_totally) spawn_reflection(wave, h, met.reflected);
   }
 }
 
@@ -58,29 +73,24 @@ void reflect_as_pov(Wave<Real>& wave) {
 template <class Real>
 void transmit_as_pov(Wave<Real>& wave) {
   for (const std::uint32_t h : wave.pov_clear) {
-    const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material[h]];
+    const PovSurface<Real>& surface = wave.world.materials[wave.hits.material[h]].pov;
     const Hit<Real>& hit = wave.hits.hit[h];
     const std::size_t parent = wave.hits.ray[h];
     const Vec3<Real> incident = wave.rays.direction[parent];
-    const PovStep<Real> step = pov_step(wave, h);
-    Rgb<Real> share(Real(1));
-    if (material.pov.fades && !hit.enters) share = pov_fade(material.pov, hit.t);
-    if (step.interface.total_reflection) {
-      spawn_reflection(wave, h, share);
-      continue;
-    }
-    share = share * pov_passed(material.pov, wave.hits.color[h]);
-    if (material.pov.conserves_energy) {
-      share = share * pov_rest(pov_reflectance_at(wave, h, step));
-    }
-    const Real eta = step.passage.ior_here / step.passage.ior_behind;
+    const PovHit<Real> met = find_pov_hit(wave, h);
+    const bool leaves = surface.fades && !hit.enters;
+    const Rgb<Real> left = leaves ? pov_fade(surface, hit.t) : Rgb<Real>(Real(1));
+    if (met.reflects_totally) spawn_reflection(wave, h, left);
+    if (met.interface.total_reflection) continue;
+    const Real eta = met.passage.ior_here / met.passage.ior_behind;
     const bool unbent = eta == 1;
-    Vec3<Real> onward = refracted(incident, wave.hits.shading_normal[h], eta, step.interface);
+    Vec3<Real> onward = refracted(incident, wave.hits.shading_normal[h], eta, met.interface);
     const bool crosses = (dot(onward, wave.hits.geometric_normal[h]) < Real(0)) == hit.enters;
     // Smooth normals can bend a ray back; then it goes straight on.
     if (unbent || !crosses) onward = incident;
     wave.spawn(false, parent, {wave.hits.position[h], onward}, wave.source_at(h, true),
-               wave.rays.weight[parent] * share, step.passage.behind, unbent && hit.t > Real(0));
+               wave.rays.weight[parent] * (left * met.transmitted), met.passage.behind,
+               unbent && hit.t > Real(0));
   }
 }
 
