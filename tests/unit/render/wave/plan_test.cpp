@@ -47,6 +47,24 @@ TEST(Plan, SurfacesThatNothingLightsAreNotShaded) {
   EXPECT_TRUE(make_plan(b.scene, effects_of(b.scene), true).runs(StageId::plain_colors));
 }
 
+TEST(Plan, PovFinishCallsForWhatItDoes) {
+  SceneBuilder b = plain_scene();
+  PovFinish m;
+  m.color = b.color(Rgbd(0.5));
+  b.scene.shapes[0].material = b.material(m);
+  EXPECT_EQ(names_of(plan_of(b.scene)),
+            (std::vector<std::string>{"pinhole_rays", "closest_hits", "surfaces", "plain_colors",
+                                      "pov_glow", "point_on_pov", "opaque_shadows"}));
+  m.ambient = Rgbd();
+  m.diffuse = 0;
+  m.filter = 0.5;
+  m.reflection.max = Rgbd(1);
+  b.scene.shapes[0].material = b.material(m);
+  EXPECT_EQ(names_of(plan_of(b.scene)),
+            (std::vector<std::string>{"pinhole_rays", "interfaces", "surfaces", "plain_colors",
+                                      "pov_reflection", "pov_transmission"}));
+}
+
 TEST(Plan, CoatOverBlackOnlyReflects) {
   SceneBuilder b = plain_scene();
   b.scene.shapes[0].material = b.material(Coat{1.5, Rgbd(0), b.color(Rgbd(0))});
@@ -122,6 +140,22 @@ const Use kUses[] = {
        b.scene.background.source = GradientBackground{{{0, Rgbd(0)}}};
      },
      [](SceneBuilder& b) { b.background(0.5); }},
+    {"POV-Ray's reflection and transparency",
+     [](SceneBuilder& b) {
+       PovFinish m;
+       m.color = b.color(Rgbd(0));
+       m.filter = 0.5;
+       m.ambient = Rgbd(0.5);
+       m.reflection.falloff = 2;
+       b.add(Sphere{{0.1, 0, 0}, 0.5}, b.material(m));  // black, and out of sight
+     },
+     [](SceneBuilder& b) {
+       PovFinish m;
+       m.color = b.color(Rgbd(0.5));
+       m.filter = 0.5;
+       m.reflection.max = Rgbd(0.5);
+       b.add(Sphere{{1, 0, 0}, 1}, b.material(m));
+     }},
     {"emission", [](SceneBuilder& b) { b.scene.materials[0].emission = Rgbd(0); },
      [](SceneBuilder& b) { b.scene.materials[0].emission = Rgbd(1); }},
 };
