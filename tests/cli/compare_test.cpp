@@ -78,6 +78,16 @@ TEST_F(Compare, OtherShapesAreExplained) {
   EXPECT_EQ(run({"compare", "depth.exr", "one.exr", "--channels", "RGB"}).code, 0);
 }
 
+TEST_F(Compare, WhereNothingCanBeComparedThatIsSaid) {
+  render("small.exr", {"--size", "24x16"});
+  const Outcome outcome =
+      run({"compare", "small.exr", "one.exr", "-o", "d.exr", "--html", "p.html"});
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.out, HasSubstr("there is nothing in them to compare"));
+  EXPECT_THAT(outcome.err, HasSubstr("`d.exr` is not written"));
+  EXPECT_THAT(read("p.html"), HasSubstr("A holds 24 x 16 pixels"));
+}
+
 TEST_F(Compare, PreviewsAreComparedAsCodes) {
   render("x.exr", {"--preview", "x.png"});
   EXPECT_EQ(run({"compare", "x.png", "x.png", "--html", "p.html"}).code, 0);
@@ -111,9 +121,10 @@ TEST_F(Compare, MistakesOnTheLineAreExplained) {
   expect_usage({"one.exr", "four.exr", "--channels", "R,Q"}, "neither picture has a channel `Q`");
   expect_usage({"one.exr", "four.exr", "--channels", "R,,G"}, "names with commas between");
   expect_usage({"one.exr", "four.exr", "-o", "one.exr"}, "it is an input");
-  expect_usage({"one.exr", "four.exr", "--html", "./four.exr"}, "it is an input");
-  expect_usage({"one.exr", "four.exr", "-o", "x", "--html", "x"}, "give each output its own name");
-  expect_usage({"one.exr", "four.exr", "-o", "-"}, "need file names");
+  expect_usage({"one.exr", "four.exr", "-o", "./four.exr"}, "it is an input");
+  expect_usage({"one.exr", "four.exr", "-o", "d.png"}, "a file name that ends in .exr");
+  expect_usage({"one.exr", "four.exr", "-o", "-"}, "a file name that ends in .exr");
+  expect_usage({"one.exr", "four.exr", "--html", "p.exr"}, "a file name that ends in .html");
   expect_usage({"one.exr", "four.exr", "--view", "Raw"}, "--html PAGE.html");
   expect_usage({"one.exr", "four.exr", "--html", "p.html", "--view", "Rwa"}, "no view `Rwa`");
   EXPECT_THAT(entries(), ElementsAre("four.exr", "one.exr", "s.scn"));

@@ -1,6 +1,8 @@
 // app/cli: alhazen compare: how two pictures differ, in figures and to look at.
 #include "app/compare/compare.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <limits>
 
 #include "app/cli/arguments.h"
@@ -58,6 +60,27 @@ Result<std::vector<std::string>> to_names(const std::string& text) {
   return names;
 }
 
+// A file's name promises what is in it.
+Status check_ending(const char* option, const std::string& path,
+                    std::initializer_list<std::string_view> endings) {
+  std::string ending = std::filesystem::path(path).extension();
+  for (char& c : ending)
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (path.empty() || std::ranges::find(endings, ending) != endings.end()) return Unit{};
+  return Error{ErrorCode::usage, fmt::format("{} {}: expected a file name that ends in {}", option,
+                                             path, *endings.begin())};
+}
+
+Status check_outputs(const CompareRequest& request) {
+  if (request.page.empty() &&
+      !(request.color_file.empty() && request.display.empty() && request.view.empty())) {
+    return Error{ErrorCode::usage,
+                 "--ocio, --display and --view are for the page: --html PAGE.html"};
+  }
+  if (Status good = check_ending("-o", request.difference, {".exr"}); !good) return good;
+  return check_ending("--html", request.page, {".html", ".htm"});
+}
+
 std::optional<ExitCode> read_options(const Arguments& arguments, CompareRequest& request) {
   CommandLine line("compare", kDescription, kExamples);
   CompareSettings& settings = request.settings;
@@ -90,13 +113,8 @@ std::optional<ExitCode> read_options(const Arguments& arguments, CompareRequest&
   line.text_option("--display", "NAME", request.display, "display [the configuration's first]");
   line.text_option("--view", "NAME", request.view, "its view [the display's first]");
   if (const auto code = line.read(arguments)) return code;
-  if (request.page.empty() &&
-      !(request.color_file.empty() && request.display.empty() && request.view.empty())) {
-    return line.complain("--ocio, --display and --view are for the page: --html PAGE.html");
-  }
-  for (const std::string& output : {request.difference, request.page}) {
-    if (output == "-")
-      return line.complain("stdout has the figures; -o and --html need file names");
+  if (const Status good = check_outputs(request); !good) {
+    return line.complain(good.error().message);
   }
   return std::nullopt;
 }
@@ -113,6 +131,11 @@ Result<std::optional<PageView>> open_view(const CompareRequest& request) {
 
 Status write_difference(const CompareRequest& request, const Comparison& comparison) {
   if (request.difference.empty()) return Unit{};
+  if (comparison.parts.empty()) {
+    write_stderr(fmt::format("alhazen: `{}` is not written: nothing could be compared\n",
+                             request.difference));
+    return Unit{};
+  }
   const Result<DifferencePicture> picture = difference_picture(comparison);
   if (!picture) return picture.error();
   for (const std::string& sentence : picture.value().left_out)
