@@ -29,6 +29,24 @@ std::string visible_sentence(const LayerComparison& layer, const PartPair& parts
       visible_text(*layer.visible, parts), settings.exposure, settings.pixels_per_degree);
 }
 
+// For readers without a pointer to rest on a title.
+Html explanations(const CompareSettings& settings) {
+  const std::pair<const char*, std::string> kFigures[] = {
+      {"MSE, RMSE, MAE", "mean of (A \u2212 B)\u00b2, its square root, mean of |A \u2212 B|"},
+      {"relative MSE",
+       fmt::format("mean of (A \u2212 B)\u00b2 / (B\u00b2 + {})", kRelativeEpsilon)},
+      {"PSNR", fmt::format("10 log10(peak\u00b2 / MSE) for a peak of {}", settings.peak)},
+      {"over", "how many values differ by " + tolerance_text(settings.tolerance)},
+      {"SSIM", "structural similarity of the luma, windows of 11 pixels; 1 for equal pictures"},
+      {"FLIP", "how visible the difference is when A and B alternate on one spot, 0 to 1"},
+      {"none", "there is no such figure: of ids, and where no pair is of two numbers"}};
+  Html list;
+  for (const auto& [name, meaning] : kFigures)
+    list += html_line("dt", name) + html_line("dd", meaning);
+  return html_element("details",
+                      html_line("summary", "What the figures are") + html_element("dl", list));
+}
+
 class SectionWriter {
  public:
   SectionWriter(const Comparison& comparison, const ComparedPicture& a, const ComparedPicture& b,
@@ -38,6 +56,9 @@ class SectionWriter {
   Result<Html> part(const PartComparison& part) const {
     Html html = html_line("h2", part_title(part));
     for (const LayerComparison& layer : part.layers) {
+      // The picture itself is shown even where it is the same; data only where they are not.
+      const bool differs = layer.figures.largest.error > 0.0;
+      if (!differs && layer.name != "RGB") continue;
       const Result<Html> more = layer.visible ? colors(part, layer) : data(part, layer);
       if (!more) return more.error();
       html += more.value();
@@ -78,10 +99,8 @@ class SectionWriter {
            ramp_legend("FLIP 0", "1");
   }
 
-  // Nothing for data that are the same.
   Result<Html> data(const PartComparison& part, const LayerComparison& layer) const {
     const double largest = layer.figures.largest.error;
-    if (!(largest > 0.0)) return Html{};
     std::vector<float> errors(part.parts.a->pixels.pixel_count());
     for (const ChannelPair& channel : layer.channels) {
       const std::span<const float> a = part.parts.a->pixels.channel(channel.a);
@@ -137,7 +156,7 @@ Result<std::string> comparison_page(const Comparison& comparison, const Compared
   const Html names = html_line("p", fmt::format("A: {}", a.name)) +
                      html_line("p", fmt::format("B, the reference: {}", b.name));
   return html_page(fmt::format("{} and {}", short_name(a.name), short_name(b.name)),
-                   section.value() + names);
+                   names + section.value() + explanations(comparison.settings));
 }
 
 }  // namespace alhazen

@@ -29,6 +29,9 @@ code { font: 0.9em ui-monospace, "DejaVu Sans Mono", monospace; overflow-wrap: a
 .quiet, figcaption span { color: var(--quiet); }
 .good { color: var(--good); font-weight: 600; }
 .bad { color: var(--bad); font-weight: 600; }
+dt { font-weight: 600; }
+dd { margin: 0 0 0.4rem 1.2rem; }
+summary { cursor: pointer; margin-top: 1.5rem; }
 .wide { overflow-x: auto; margin: 0.5rem 0; }
 table { border-collapse: collapse; font-size: 0.9rem; }
 th, td {
@@ -52,7 +55,7 @@ figure img { display: block; width: 100%; height: auto; }
 figure img.small { image-rendering: pixelated; }
 figcaption { font-size: 0.85rem; line-height: 1.4; padding-top: 0.3rem; }
 figcaption strong::after { content: " \2014 "; font-weight: 400; }
-.ramp { display: flex; max-width: 30rem; margin: 0.3rem 0; font-size: 0.85rem; gap: 0.6rem; }
+.ramp { display: flex; max-width: 30rem; margin: 0.3rem 0 1.2rem; font-size: 0.85rem; gap: 0.6rem; }
 .ramp div { flex: 1; border: 1px solid var(--line); }
 dialog {
   border: 0; margin: 0; padding: 0; width: 100vw; height: 100vh; height: 100dvh;
