@@ -25,9 +25,10 @@ void moments_down(const render::FloatBuffer& a, const render::FloatBuffer& b, in
       Moments& sums = columns[static_cast<std::size_t>(x)];
       sums[0] += weight * p;
       sums[1] += weight * q;
-      sums[2] += weight * p * p;
-      sums[3] += weight * q * q;
-      sums[4] += weight * p * q;
+      // Brackets: the index must not depend on which picture comes first.
+      sums[2] += weight * (p * p);
+      sums[3] += weight * (q * q);
+      sums[4] += weight * (p * q);
     }
   }
 }
