@@ -39,6 +39,22 @@ TEST(Compare, EqualPicturesPass) {
   EXPECT_EQ(verdict(comparison), "A and B are the same: no value differs by more than 0");
 }
 
+TEST(Compare, ChannelsMayStandInAnotherOrderInTheOtherPicture) {
+  ComparedPicture a = test_picture({test_part("", {"B", "G", "R"}, 16, 12)});
+  ComparedPicture b = test_picture({test_part("", {"R", "B", "G"}, 16, 12)});
+  for (int i = 0; i < 16 * 12; ++i) {
+    for (const char* name : {"R", "G", "B"}) {
+      const float value = static_cast<float>((i + *name) % 17) / 17.0F;
+      a.parts[0].pixels.at(*a.parts[0].pixels.find(name), i % 16, i / 16) = value;
+      b.parts[0].pixels.at(*b.parts[0].pixels.find(name), i % 16, i / 16) = value;
+    }
+  }
+  const Comparison comparison = compare(a, b);
+  EXPECT_TRUE(comparison.passed());
+  EXPECT_EQ(comparison.parts[0].layers[0].visible->flip.mean, 0.0);
+  EXPECT_EQ(comparison.parts[0].layers[0].visible->ssim, 1.0);
+}
+
 TEST(Compare, OnePixelIsFoundInItsChannelItsLayerAndItsPart) {
   ComparedPicture a = colors_and_depth();
   const ComparedPicture b = a;

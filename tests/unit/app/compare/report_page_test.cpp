@@ -68,6 +68,10 @@ TEST(PageView, GainTakesMostDifferencesToHalf) {
   EXPECT_EQ(shown[1], 188);           // G of the first pixel: half
   EXPECT_EQ(shown[3 * 50 + 1], 255);  // the outlier
   EXPECT_EQ(shown[3 * 100 + 1], 0);   // the next row is equal
+  // Five in a hundred count: 1/4 wants no gain but 2.
+  for (int x = 0; x < 5; ++x)
+    a.parts[0].pixels.at(2, x, 0) += 0.25F;
+  EXPECT_EQ(difference_gain(parts, channels), 2.0);
   const PartPair same{&b.parts[0], &b.parts[0], {}};
   EXPECT_EQ(difference_gain(same, channels), 1.0);
 }
