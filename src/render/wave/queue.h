@@ -28,16 +28,17 @@ struct RayQueue {
   std::vector<Source> source;
   std::vector<Rgb<Real>> weight;  // of the radiance that comes along the ray, in the sample's
   std::vector<SlotId> slot;
-  std::vector<MediumId> medium;      // what the ray starts in
-  std::vector<std::uint64_t> path;   // names the branch of the ray tree: seeds its random numbers
-  std::vector<std::uint32_t> depth;  // reflections and refractions so far
+  std::vector<MediumId> medium;       // what the ray starts in
+  std::vector<std::uint64_t> path;    // names the branch of the ray tree: seeds its random numbers
+  std::vector<std::uint32_t> depth;   // reflections and refractions so far
+  std::vector<std::uint32_t> passed;  // surfaces that the same line has come straight through
 
   std::size_t size() const { return slot.size(); }
   bool empty() const { return slot.empty(); }
   Ray<Real> ray(std::size_t i) const { return {origin[i], direction[i]}; }
 
   void push(const Ray<Real>& ray, const Source& from, Rgb<Real> w, SlotId s, MediumId m,
-            std::uint64_t p, std::uint32_t d) {
+            std::uint64_t p, std::uint32_t d, std::uint32_t straight_through = 0) {
     origin.push_back(ray.origin);
     direction.push_back(ray.direction);
     source.push_back(from);
@@ -46,6 +47,7 @@ struct RayQueue {
     medium.push_back(m);
     path.push_back(p);
     depth.push_back(d);
+    passed.push_back(straight_through);
   }
   void clear() { truncate(0); }
 
@@ -70,6 +72,7 @@ struct RayQueue {
     reorder(medium);
     reorder(path);
     reorder(depth);
+    reorder(passed);
   }
 
   // Precondition: grouped by sample. An index near `near` at which another sample's rays begin; 0
@@ -99,6 +102,7 @@ struct RayQueue {
     move_tail(medium, tail.medium);
     move_tail(path, tail.path);
     move_tail(depth, tail.depth);
+    move_tail(passed, tail.passed);
     truncate(begin);
     return tail;
   }
@@ -113,6 +117,7 @@ struct RayQueue {
     medium.resize(size);
     path.resize(size);
     depth.resize(size);
+    passed.resize(size);
   }
 };
 

@@ -68,8 +68,7 @@ void reflect_as_pov(Wave<Real>& wave) {
   }
 }
 
-// What has passed a solid is faded on leaving it. A ray that is not bent counts as no deeper one,
-// but one that starts where its parent did: however many faces meet there, that has to end.
+// What has passed a solid is faded on leaving it. A ray that is not bent counts as no deeper one.
 template <class Real>
 void transmit_as_pov(Wave<Real>& wave) {
   for (const std::uint32_t h : wave.pov_clear) {
@@ -83,14 +82,18 @@ void transmit_as_pov(Wave<Real>& wave) {
     if (met.reflects_totally) spawn_reflection(wave, h, left);
     if (met.interface.total_reflection) continue;
     const Real eta = met.passage.ior_here / met.passage.ior_behind;
-    const bool unbent = eta == 1;
+    const Rgb<Real> weight = wave.rays.weight[parent] * (left * met.transmitted);
+    const Source source = wave.source_at(h, true);
+    if (eta == 1) {
+      wave.spawn_straight(parent, {wave.hits.position[h], incident}, source, weight,
+                          met.passage.behind);
+      continue;
+    }
     Vec3<Real> onward = refracted(incident, wave.hits.shading_normal[h], eta, met.interface);
     const bool crosses = (dot(onward, wave.hits.geometric_normal[h]) < Real(0)) == hit.enters;
     // Smooth normals can bend a ray back; then it goes straight on.
-    if (unbent || !crosses) onward = incident;
-    wave.spawn(false, parent, {wave.hits.position[h], onward}, wave.source_at(h, true),
-               wave.rays.weight[parent] * (left * met.transmitted), met.passage.behind,
-               unbent && hit.t > Real(0));
+    if (!crosses) onward = incident;
+    wave.spawn(false, parent, {wave.hits.position[h], onward}, source, weight, met.passage.behind);
   }
 }
 

@@ -127,30 +127,51 @@ struct Wave {
   }
 
   // Sends a ray on one deeper, or counts why not. `reflection` tells the two kinds apart in the
-  // figures. A ray that is `unbent` may go on only where a deeper one might, but counts as none.
+  // figures.
   void spawn(bool reflection, std::size_t parent, const Ray<Real>& ray, const Source& source,
-             Rgb<Real> weight, MediumId medium, bool unbent = false) {
-    if (is_black(weight)) return;
-    const std::uint32_t deeper = rays.depth[parent] + 1;
+             Rgb<Real> weight, MediumId medium) {
+    if (!may_go_deeper(parent, weight)) return;
+    send(reflection, parent, ray, source, weight, medium, rays.depth[parent] + 1, 0);
+  }
+
+  // The same for a ray that goes on along its parent's line: it may go on only where a deeper one
+  // might, but is none. A line meets each shape twice at most; what would pass more surfaces than
+  // that is thrown to and fro between faces that rounding cannot tell apart, and gets deeper.
+  void spawn_straight(std::size_t parent, const Ray<Real>& ray, const Source& source,
+                      Rgb<Real> weight, MediumId medium) {
+    if (!may_go_deeper(parent, weight)) return;
+    const std::uint32_t passed = rays.passed[parent];
+    const bool is_real = passed < 2 * world.material_of.size();
+    send(false, parent, ray, source, weight, medium, rays.depth[parent] + (is_real ? 0 : 1),
+         is_real ? passed + 1 : passed);
+  }
+
+ private:
+  bool may_go_deeper(std::size_t parent, Rgb<Real> weight) {
+    if (is_black(weight)) return false;
     const SlotId slot = rays.slot[parent];
-    if (deeper > world.max_depth) {
+    if (rays.depth[parent] + 1 > world.max_depth) {
       ++counters.cut_by_depth;
       slots.dropped[slot] += weight;
-      return;
+      return false;
     }
     if (largest_channel(weight) < world.cutoff) {
       ++counters.cut_by_weight;
       slots.dropped[slot] += weight;
-      return;
+      return false;
     }
-    ++(reflection ? counters.reflection_rays : counters.refraction_rays);
-    ++slots.rays[slot];
-    const std::uint64_t branch = reflection ? 1 : 2;
-    next.push(ray, source, weight, slot, medium, mix_64(rays.path[parent], branch),
-              unbent ? deeper - 1 : deeper);
+    return true;
   }
 
- private:
+  void send(bool reflection, std::size_t parent, const Ray<Real>& ray, const Source& source,
+            Rgb<Real> weight, MediumId medium, std::uint32_t depth, std::uint32_t passed) {
+    ++(reflection ? counters.reflection_rays : counters.refraction_rays);
+    ++slots.rays[rays.slot[parent]];
+    const std::uint64_t branch = reflection ? 1 : 2;
+    next.push(ray, source, weight, rays.slot[parent], medium, mix_64(rays.path[parent], branch),
+              depth, passed);
+  }
+
   std::vector<std::uint32_t>* list_of(SurfaceKind kind) {
     switch (kind) {
       case SurfaceKind::matte:
