@@ -10,6 +10,7 @@
 #include "app/nff/write_scn.h"
 #include "core/base/file.h"
 #include "core/diag/render_text.h"
+#include "parser/eval/evaluate.h"
 #include "parser/parse/parse.h"
 #include "parser/print/format.h"
 
@@ -62,7 +63,7 @@ TEST(NffGolden, FilesBecomeTheScenesBesideThem) {
   }
 }
 
-TEST(NffGolden, ScenesAreInCanonicalLayout) {
+TEST(NffGolden, ScenesAreRightAndInCanonicalLayout) {
   for (const fs::path& path : nff_files(kFolder)) {
     const Import import(path);
     ASSERT_TRUE(import.scene) << path;
@@ -72,6 +73,8 @@ TEST(NffGolden, ScenesAreInCanonicalLayout) {
     const ast::File tree = parser::parse(sources.add("a.scn", scn), sources, sink);
     ASSERT_EQ(sink.error_count(), 0u) << render_text(sink, sources);
     EXPECT_EQ(parser::format(tree, sources), scn) << path;
+    const auto evaluation = parser::evaluate_text(0, kFolder, sources, sink);
+    EXPECT_TRUE(evaluation.scene) << render_text(sink, sources);
   }
 }
 

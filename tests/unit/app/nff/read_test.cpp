@@ -5,6 +5,7 @@
 
 #include "app/nff/write_scn.h"
 #include "core/diag/render_text.h"
+#include "parser/eval/evaluate.h"
 
 namespace alhazen {
 namespace {
@@ -129,6 +130,64 @@ TEST(NffWrite, TheAngleIsBetweenCentresOfPixels) {
   ASSERT_NE(at, scn.npos);
   // 2 atan 2, three correctly rounded steps and one of the library away.
   EXPECT_NEAR(std::stod(scn.substr(at + 4)), 126.86989764584402, 1e-13);
+}
+
+// A cube around the origin, each face counterclockwise from outside in NFF's right-handed frame.
+// Normals of the scene's triangles are cross(b - a, c - a) by numbers, and what a triangle bends
+// light into lies behind it.
+TEST(NffWrite, FrontsStayFronts) {
+  const Read read(kView + kFill +
+                  "p 4 -1 -1 -1  -1 1 -1  1 1 -1  1 -1 -1\n"
+                  "p 4 -1 -1 1  1 -1 1  1 1 1  -1 1 1\n"
+                  "p 4 -1 -1 -1  1 -1 -1  1 -1 1  -1 -1 1\n"
+                  "p 4 -1 1 -1  -1 1 1  1 1 1  1 1 -1\n"
+                  "p 4 -1 -1 -1  -1 -1 1  -1 1 1  -1 1 -1\n"
+                  "p 4 1 -1 -1  1 1 -1  1 1 1  1 -1 1\n");
+  ASSERT_TRUE(read.scene) << read.errors();
+  SourceManager sources;
+  DiagnosticSink sink;
+  const FileId file = sources.add("a.scn", write_scn(*read.scene, "a.nff"));
+  const auto evaluation = parser::evaluate_text(file, "", sources, sink);
+  ASSERT_TRUE(evaluation.scene) << render_text(sink, sources);
+  ASSERT_EQ(evaluation.scene->shapes.size(), 12u);
+  for (const Shape& shape : evaluation.scene->shapes) {
+    const auto& [a, b, c] = std::get<Triangle>(shape.geometry).corners;
+    EXPECT_GT(dot(cross(b - a, c - a), a + b + c), 0) << shape.name;
+  }
+}
+
+// What a person reads off the file by the format's text is what the scene holds.
+TEST(NffWrite, MaterialsAreTheNumbersOfTheFill) {
+  const Read read(kView +
+                  "f 0.1 0.2 0.3 0.4 0.5 6 0.7 1.8 s 0 0 0 1\n"
+                  "f 0.1 0.2 0.3 0.4 0 6 0 1.8 s 0 0 0 1\n"
+                  "f 0.1 0.2 0.3 0.4 0 6 0.7 0 s 0 0 0 1\n");
+  ASSERT_TRUE(read.scene) << read.errors();
+  SourceManager sources;
+  DiagnosticSink sink;
+  const FileId file = sources.add("a.scn", write_scn(*read.scene, "a.nff"));
+  const auto evaluation = parser::evaluate_text(file, "", sources, sink);
+  ASSERT_TRUE(evaluation.scene) << render_text(sink, sources);
+  const Scene& scene = *evaluation.scene;
+  ASSERT_EQ(scene.shapes.size(), 3u);
+  const auto finish = [&](std::size_t shape) {
+    return std::get<PovFinish>(scene.materials[scene.shapes[shape].material].scattering);
+  };
+  const PovFinish all = finish(0);
+  EXPECT_EQ(all.ambient, Rgbd(0));
+  EXPECT_EQ(all.diffuse, 0.4);
+  EXPECT_EQ(all.phong, 0.5);
+  EXPECT_EQ(all.phong_size, 6);
+  EXPECT_EQ(all.reflection.min, Rgbd(0.5));
+  EXPECT_EQ(all.reflection.max, Rgbd(0.5));
+  EXPECT_EQ(all.transmit, 0.7);
+  EXPECT_EQ(all.filter, 0);
+  EXPECT_EQ(all.ior, 1.8);
+  EXPECT_EQ(finish(1).phong, 0);
+  EXPECT_EQ(finish(1).transmit, 0);
+  EXPECT_EQ(finish(1).ior, 1);
+  EXPECT_EQ(finish(2).transmit, 0.7);
+  EXPECT_EQ(finish(2).ior, 1);
 }
 
 TEST(NffWrite, ANameCannotLeaveItsComment) {
