@@ -94,6 +94,7 @@ TEST_F(Compare, PreviewsAreComparedAsCodes) {
   const Outcome mixed = run({"compare", "x.png", "x.exr"});
   EXPECT_EQ(mixed.code, 2);
   EXPECT_THAT(mixed.err, HasSubstr("whose numbers do not compare"));
+  EXPECT_EQ(run({"compare", "x.png", "x.png", "--hdr-flip"}).code, 2);
 }
 
 TEST_F(Compare, WhatCannotBeReadIsNotADifference) {

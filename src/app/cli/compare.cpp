@@ -101,6 +101,9 @@ std::optional<ExitCode> read_options(const Arguments& arguments, CompareRequest&
   line.value_option("--pixels-per-degree", "N", settings.pixels_per_degree, number(1, 1000),
                     "how close FLIP looks [67.02: a display of 3840 pixels,\n"
                     "as far away as it is wide]");
+  line.flag("--hdr-flip", settings.hdr_flip,
+            "also FLIP at all exposures that the reference has light for; takes\n"
+            "about a second for each, of a picture of 1920 x 1080");
   line.begin_group("Output (a table on stdout)");
   line.flag("--json", request.json, "JSON on stdout in place of the table");
   line.text_option("-o,--output", "DIFF.exr", request.difference,

@@ -70,8 +70,15 @@ class PartComparer {
         display_light(parts.a->pixels, in_a, display_look(a_, *parts.a, settings_.exposure));
     const render::FloatBuffer light_b =
         display_light(parts.b->pixels, in_b, display_look(b_, *parts.b, settings_.exposure));
-    return VisibleError{mean_ssim(luma(light_a), luma(light_b)),
-                        flip(light_a, light_b, settings_.pixels_per_degree)};
+    VisibleError error{mean_ssim(luma(light_a), luma(light_b)),
+                       flip(light_a, light_b, settings_.pixels_per_degree), std::nullopt};
+    if (settings_.hdr_flip) {
+      error.hdr_flip =
+          hdr_flip(rec709_light(parts.a->pixels, in_a, display_look(a_, *parts.a, 0.0)),
+                   rec709_light(parts.b->pixels, in_b, display_look(b_, *parts.b, 0.0)),
+                   settings_.pixels_per_degree);
+    }
+    return error;
   }
 
   const ComparedPicture& a_;
@@ -96,6 +103,11 @@ DisplayLook display_look(const ComparedPicture& picture, const render::ExrPart& 
 
 Result<Comparison> compare_pictures(const ComparedPicture& a, const ComparedPicture& b,
                                     const CompareSettings& settings) {
+  if (settings.hdr_flip && a.encoding == PixelEncoding::srgb) {
+    return Error{ErrorCode::usage,
+                 "HDR-FLIP is for light (EXR); codes of a display have no more "
+                 "range than FLIP looks at"};
+  }
   Result<Pairing> pairing = pair_pictures(a, b, settings.channels);
   if (!pairing) return pairing.error();
   Comparison result{

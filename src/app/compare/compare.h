@@ -9,6 +9,7 @@
 
 #include "app/compare/figures.h"
 #include "app/compare/flip.h"
+#include "app/compare/hdr_flip.h"
 #include "app/compare/pairing.h"
 #include "app/compare/pixels_over.h"
 #include "app/compare/read_picture.h"
@@ -22,12 +23,14 @@ struct CompareSettings {
   double peak = 1.0;                  // of the PSNR: light's display white, the largest code
   double exposure = 0.0;              // stops, for SSIM, FLIP and the page
   double pixels_per_degree = kFlipPixelsPerDegree;
+  bool hdr_flip = false;  // of light only
 };
 
 // How visible the difference of a layer of colours is.
 struct VisibleError {
   std::optional<double> ssim;  // nothing where no window fits in
   FlipResult flip;
+  std::optional<HdrFlipResult> hdr_flip;  // when asked for
 };
 
 struct ChannelComparison {
@@ -61,7 +64,7 @@ struct Comparison {
 };
 
 // B is the reference. The result refers to the pictures, which must outlive it. Fails as
-// pair_pictures does.
+// pair_pictures does, and with ErrorCode::usage when HDR-FLIP is asked for of codes.
 Result<Comparison> compare_pictures(const ComparedPicture& a, const ComparedPicture& b,
                                     const CompareSettings& settings);
 

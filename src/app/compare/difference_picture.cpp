@@ -62,6 +62,10 @@ struct Parts {
       const std::span<const float> errors = layer.visible->flip.errors.channel(0);
       data.add(free_name(layer.name == "RGB" ? "FLIP.E" : layer.name + ".FLIP.E"),
                {errors.begin(), errors.end()});
+      if (!layer.visible->hdr_flip) continue;
+      const std::span<const float> hdr = layer.visible->hdr_flip->flip.errors.channel(0);
+      data.add(free_name(layer.name == "RGB" ? "HDRFLIP.E" : layer.name + ".HDRFLIP.E"),
+               {hdr.begin(), hdr.end()});
     }
   }
 };

@@ -17,6 +17,7 @@ bool spans_colors(const Chromaticities& c) {
   return c.white.y > 0.0 && std::isfinite(area) && area != 0.0;
 }
 
+// NaN to 0, and what no float holds to the nearest that one does.
 double usable(double value) {
   constexpr double kMost = std::numeric_limits<float>::max();
   return std::isnan(value) ? 0.0 : std::clamp(value, -kMost, kMost);
@@ -47,22 +48,33 @@ ColorMatrix rec709_from(const Chromaticities& space) {
   return render::rgb_from_rgb(kRec709, space);
 }
 
-render::FloatBuffer display_light(const render::FloatBuffer& picture,
-                                  const std::array<std::size_t, 3>& channels,
-                                  const DisplayLook& look) {
+render::FloatBuffer rec709_light(const render::FloatBuffer& picture,
+                                 const std::array<std::size_t, 3>& channels,
+                                 const DisplayLook& look) {
   render::FloatBuffer light(picture.width(), picture.height(), {"R", "G", "B"});
   const double scale = std::exp2(look.exposure);
   const auto linear = [&](double value) {
     return scale * (look.encoding == PixelEncoding::srgb ? srgb_light(value) : usable(value));
   };
-  const auto shown = [](double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); };
+  const auto stored = [](double value) { return static_cast<float>(usable(value)); };
   for (std::size_t i = 0; i < picture.pixel_count(); ++i) {
     const Rgbd color = look.rec709 * Rgbd(linear(picture.channel(channels[0])[i]),
                                           linear(picture.channel(channels[1])[i]),
                                           linear(picture.channel(channels[2])[i]));
-    light.channel(0)[i] = shown(color.r);
-    light.channel(1)[i] = shown(color.g);
-    light.channel(2)[i] = shown(color.b);
+    light.channel(0)[i] = stored(color.r);
+    light.channel(1)[i] = stored(color.g);
+    light.channel(2)[i] = stored(color.b);
+  }
+  return light;
+}
+
+render::FloatBuffer display_light(const render::FloatBuffer& picture,
+                                  const std::array<std::size_t, 3>& channels,
+                                  const DisplayLook& look) {
+  render::FloatBuffer light = rec709_light(picture, channels, look);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (float& sample : light.channel(c))
+      sample = std::clamp(sample, 0.0F, 1.0F);
   }
   return light;
 }

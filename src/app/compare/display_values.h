@@ -32,9 +32,14 @@ struct DisplayLook {
   double exposure = 0.0;  // in stops: light is multiplied by 2^exposure
 };
 
-// Channels R, G, B: linear light of Rec.709 primaries, clamped to 0 .. 1, where 1 is the display's
-// white. A NaN is black and an infinity as much light as a float holds. `channels` are the indices
-// of red, green and blue.
+// Channels R, G, B: linear light of Rec.709 primaries, where 1 is the display's white. A NaN is
+// black and an infinity as much light as a float holds. `channels` are the indices of red, green
+// and blue.
+render::FloatBuffer rec709_light(const render::FloatBuffer& picture,
+                                 const std::array<std::size_t, 3>& channels,
+                                 const DisplayLook& look);
+
+// rec709_light clamped to 0 .. 1: what a display shows of it.
 render::FloatBuffer display_light(const render::FloatBuffer& picture,
                                   const std::array<std::size_t, 3>& channels,
                                   const DisplayLook& look);

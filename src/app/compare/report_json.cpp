@@ -31,17 +31,25 @@ Json place(const PartPair& parts, PixelPlace local) {
   return {at.column, at.row};
 }
 
+Json flip_json(const FlipResult& flip, const PartPair& parts) {
+  return {{"mean", flip.mean},
+          {"largest", flip.largest.error},
+          {"at", place(parts, flip.largest.place)}};
+}
+
 Json layer_json(const LayerComparison& layer, const PartPair& parts) {
   Json json = {{"name", layer.name}, {"channels", Json::array()}};
   for (const ChannelPair& channel : layer.channels)
     json["channels"].push_back(channel.name);
   json["figures"] = figures_json(layer.figures, parts);
   if (!layer.visible) return json;
-  const FlipResult& flip = layer.visible->flip;
   json["ssim"] = layer.visible->ssim ? Json(*layer.visible->ssim) : Json(nullptr);
-  json["flip"] = {{"mean", flip.mean},
-                  {"largest", flip.largest.error},
-                  {"at", place(parts, flip.largest.place)}};
+  json["flip"] = flip_json(layer.visible->flip, parts);
+  if (!layer.visible->hdr_flip) return json;
+  const FlipExposures& exposures = layer.visible->hdr_flip->exposures;
+  json["hdr_flip"] = flip_json(layer.visible->hdr_flip->flip, parts);
+  json["hdr_flip"]["exposures"] = {
+      {"first", exposures.first}, {"last", exposures.last}, {"count", exposures.count}};
   return json;
 }
 

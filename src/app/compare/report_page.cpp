@@ -23,10 +23,12 @@ Html list(const std::vector<std::string>& sentences) {
 
 std::string visible_sentence(const LayerComparison& layer, const PartPair& parts,
                              const CompareSettings& settings) {
-  return fmt::format(
+  const std::string sentence = fmt::format(
       "{}. Both see light from 0 to 1 after an exposure of {} stops; FLIP at {:.4g} pixels a "
       "degree.",
       visible_text(*layer.visible, parts), settings.exposure, settings.pixels_per_degree);
+  if (!layer.visible->hdr_flip) return sentence;
+  return fmt::format("{} {}.", sentence, hdr_text(*layer.visible->hdr_flip, parts));
 }
 
 // For readers without a pointer to rest on a title.
@@ -79,7 +81,7 @@ class SectionWriter {
     const double exposure = comparison_.settings.exposure;
     const double gain = difference_gain(parts, channels);
     const bool differs = layer.figures.largest.error > 0.0;
-    const std::vector<PagePicture> pictures{
+    std::vector<PagePicture> pictures{
         picture(parts, "A", a_.name,
                 view_.shown(parts.a->pixels, {channels[0].a, channels[1].a, channels[2].a},
                             display_look(a_, *parts.a, exposure))),
@@ -92,6 +94,10 @@ class SectionWriter {
             shown_difference(parts, channels, gain, a_.encoding)),
         picture(parts, "FLIP", "how visible the difference is when A and B alternate",
                 ramp_picture(layer.visible->flip.errors.channel(0), 1.0))};
+    if (const auto& hdr = layer.visible->hdr_flip) {
+      pictures.push_back(picture(parts, "HDR-FLIP", "the largest FLIP of several exposures",
+                                 ramp_picture(hdr->flip.errors.channel(0), 1.0)));
+    }
     const Result<Html> shown = html_pictures(pictures);
     if (!shown) return shown.error();
     return html_line("h3", layer.name) +

@@ -42,6 +42,8 @@ std::string visible_lines(const PartComparison& part, const CompareSettings& set
     text += fmt::format("{}: {} (exposure {}, {:.4g} pixels a degree)\n", layer.name,
                         visible_text(*layer.visible, part.parts), settings.exposure,
                         settings.pixels_per_degree);
+    if (!layer.visible->hdr_flip) continue;
+    text += fmt::format("{}: {}\n", layer.name, hdr_text(*layer.visible->hdr_flip, part.parts));
   }
   return text;
 }

@@ -22,6 +22,12 @@ std::string pixels_that_differ(const Comparison& comparison) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+std::string flip_text(const FlipResult& flip, const PartPair& parts) {
+  if (flip.largest.error == 0.0) return "0";
+  return fmt::format("{} on average and {} at most, at {}", figure_text(flip.mean),
+                     figure_text(flip.largest.error), place_text(parts, flip.largest.place));
+}
+
 }  // namespace
 
 std::string figure_text(double value) {
@@ -72,11 +78,13 @@ std::vector<std::string> odd_sentences(const PartComparison& part) {
 std::string visible_text(const VisibleError& visible, const PartPair& parts) {
   const std::string ssim =
       visible.ssim ? figure_text(*visible.ssim) : "none (under 11 pixels there is no window)";
-  const FlipResult& flip = visible.flip;
-  if (flip.largest.error == 0.0) return fmt::format("SSIM {}, FLIP 0", ssim);
-  return fmt::format("SSIM {}, FLIP {} on average and {} at most, at {}", ssim,
-                     figure_text(flip.mean), figure_text(flip.largest.error),
-                     place_text(parts, flip.largest.place));
+  return fmt::format("SSIM {}, FLIP {}", ssim, flip_text(visible.flip, parts));
+}
+
+std::string hdr_text(const HdrFlipResult& hdr, const PartPair& parts) {
+  return fmt::format("HDR-FLIP {}, over {} exposures from {:.3g} to {:.3g} stops",
+                     flip_text(hdr.flip, parts), hdr.exposures.count, hdr.exposures.first,
+                     hdr.exposures.last);
 }
 
 std::string part_title(const PartComparison& part) {

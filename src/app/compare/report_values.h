@@ -21,6 +21,8 @@ std::vector<std::string> odd_sentences(const PartComparison& part);
 
 // "SSIM 0.99, FLIP 0.01 on average and 0.5 at most, at (12, 5)".
 std::string visible_text(const VisibleError& visible, const PartPair& parts);
+// "HDR-FLIP 0.02 on average and 0.7 at most, at (12, 5), over 8 exposures from -3 to 4.5 stops".
+std::string hdr_text(const HdrFlipResult& hdr, const PartPair& parts);
 
 std::string part_title(const PartComparison& part);
 // The limit in words: "more than 0.001", "more than max(2e-05, 0.001 |B|)".
