@@ -27,8 +27,19 @@ Names asked_channels(const Part& part, std::span<const std::string> asked) {
   return names;
 }
 
+// R, G, N.X .Y .Z: what stands before the dot is not repeated.
 std::string listed(const Names& names) {
-  return fmt::format("{}", fmt::join(names, ", "));
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string prefix = layer_of(names[i]) + ".";
+    const bool goes_on = i > 0 && names[i].starts_with(prefix) && names[i - 1].starts_with(prefix);
+    if (goes_on) {
+      text += " " + names[i].substr(prefix.size() - 1);
+    } else {
+      text += (i > 0 ? ", " : "") + names[i];
+    }
+  }
+  return text;
 }
 
 std::string part_name(const Part& part) {
@@ -70,7 +81,7 @@ Status check_asked(const ComparedPicture& a, const ComparedPicture& b,
   for (const std::string& name : asked) {
     if (std::ranges::find(known, name) != known.end()) continue;
     return Error{ErrorCode::usage, fmt::format("neither picture has a channel `{}`; there are: {}",
-                                               name, listed(known))};
+                                               name, fmt::join(known, ", "))};
   }
   return Unit{};
 }

@@ -60,12 +60,13 @@ TEST(Pairing, PartsOfOtherNamesDoNotMeet) {
 
 TEST(Pairing, CommonChannelsAreComparedAndOthersNamed) {
   const auto a = test_picture({test_part("", {"B", "G", "R", "Z"})});
-  const auto b = test_picture({test_part("", {"A", "B", "G", "N.X", "R"})});
+  const auto b = test_picture({test_part("", {"A", "B", "G", "N.X", "N.Y", "P.X", "R"})});
   const Pairing pairing = pair(a, b);
   ASSERT_EQ(pairing.parts.size(), 1u);
   EXPECT_THAT(names(pairing.parts[0]), ElementsAre("R", "G", "B"));
-  EXPECT_THAT(pairing.differences, ElementsAre(HasSubstr("only A has the channel Z"),
-                                               HasSubstr("only B has the channels A, N.X")));
+  EXPECT_THAT(pairing.differences,
+              ElementsAre(HasSubstr("only A has the channel Z"),
+                          HasSubstr("only B has the channels A, N.X .Y, P.X")));
 }
 
 TEST(Pairing, NoCommonChannelIsADifference) {
