@@ -20,15 +20,14 @@ bool may_start_in(const Scene& scene, const ShapeTable<double>& shapes, ShapeId 
 EffectSet effects_of(const Scene& scene) {
   EffectSet effects = derive_effects(scene);
   if (!effects.has(Effect::refraction) && !effects.has(Effect::pov_transmission)) return effects;
-  const auto solid = solid_colors(scene);
   const ShapeTable<double> shapes(scene.shapes, scene.camera.frame.position);
   for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
     const Shape& shape = scene.shapes[id];
     const Scattering& scattering = scene.materials[shape.material].scattering;
-    const auto* finish = std::get_if<PovFinish>(&scattering);
-    const bool is_clear = std::holds_alternative<Glass>(scattering) ||
-                          (finish != nullptr && lets_light_through(*finish, solid));
-    if (is_clear && is_closed(shape.geometry) && may_start_in(scene, shapes, id)) {
+    // In POV-Ray one is inside of opaque solids too, which matters to Fresnel's reflection.
+    const bool has_inside =
+        std::holds_alternative<Glass>(scattering) || std::holds_alternative<PovFinish>(scattering);
+    if (has_inside && is_closed(shape.geometry) && may_start_in(scene, shapes, id)) {
       effects.call(Effect::camera_in_glass, shape.span);
     }
   }

@@ -48,7 +48,7 @@ void start_lens_rays(Wave<Real>& wave) {
 template <class Real>
 void find_camera_media(Wave<Real>& wave) {
   for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-    for (const ShapeId solid : wave.world.clear_solids) {
+    for (const ShapeId solid : wave.world.solids) {
       if (!wave.world.shapes.contains(solid, wave.rays.origin[i])) continue;
       wave.rays.medium[i] = wave.media.enter(wave.rays.medium[i], wave.world.material_of[solid]);
     }

@@ -34,10 +34,10 @@ struct World {
       const Shape& shape = scene.shapes[id];
       const MaterialRecord<Real>& material = materials[shape.material];
       const bool closed = is_closed(shape.geometry);
-      const bool clear_pov = material.kind == SurfaceKind::pov && material.pov_clear;
+      const bool is_pov = material.kind == SurfaceKind::pov;
       material_of.push_back(shape.material);
-      thin.push_back(clear_pov && !closed && material.ior == 1 && !material.pov.fades);
-      if (closed && (clear_pov || material.kind == SurfaceKind::glass)) clear_solids.push_back(id);
+      thin.push_back(material.pov_clear && !closed && material.ior == 1 && !material.pov.fades);
+      if (closed && (is_pov || material.kind == SurfaceKind::glass)) solids.push_back(id);
     }
   }
 
@@ -68,7 +68,7 @@ struct World {
   BackgroundRadiance<Real> background;
   std::vector<MaterialId> material_of;  // of each shape
   std::vector<std::uint8_t> thin;       // of each shape: a clear sheet with nothing inside
-  std::vector<ShapeId> clear_solids;    // that rays can be inside of, in the scene's order
+  std::vector<ShapeId> solids;          // that a camera may be inside of, in the scene's order
   Real cutoff;
   std::uint32_t max_depth;
   bool transparent_background;

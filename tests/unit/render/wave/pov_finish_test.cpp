@@ -239,6 +239,23 @@ TEST(PovFinish, CameraInsideOfASolidLeavesIt) {
   EXPECT_NEAR(central_radiance(b, {0, 0, 0}), 0.5 / 4, kRounding);
 }
 
+// A ball in the middle of a white room whose walls glow: one step of index on the way in; on the
+// way out none that counts, since the room has been entered before.
+TEST(PovFinish, AnOpaqueRoomIsASolidThatTheCameraIsIn) {
+  SceneBuilder b;
+  PovFinish room = finish(b);
+  room.emission = Rgbd(1);
+  room.diffuse = 0;
+  PovFinish ball = clear_finish(b, 1, 1.5);
+  ball.reflection = {Rgbd(), Rgbd(1), 1, true, 0};
+  ball.conserve_energy = true;
+  b.add(Sphere{{0, 0, 0}, 9}, b.material(room));
+  b.add(Sphere{{0, 0, 0}, 1}, b.material(ball));
+  b.scene.settings.max_depth = 2;
+  // Reflected at once, and straight through: nothing is left inside of the ball.
+  EXPECT_NEAR(central_radiance(b, {0, 0, -5}), 1, kRounding);
+}
+
 // A sheet has no inside: within glass it changes no index.
 TEST(PovFinish, SheetsDoNotBendLight) {
   SceneBuilder b;
