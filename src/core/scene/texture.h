@@ -32,8 +32,9 @@ struct CheckerPattern {
 struct StripesPattern {
   TextureId even, odd;
 };
-// Bricks of `size` with joints of `mortar_width`, every second course shifted by half a brick;
-// courses are stacked along y, and layers along z are shifted likewise.
+// POV-Ray's bricks: `size` is the period, joints of `mortar_width` at its upper end included.
+// Courses are stacked along y; every second one is shifted by half a brick along x, the others
+// along z.
 struct BrickPattern {
   TextureId brick, mortar;
   Vec3d size{8, 3, 4.5};

@@ -30,16 +30,17 @@ inline Real wrapped(Real x, Real period) {
   return x - period * round_down(x / period);
 }
 
-// POV-Ray's brick: `size` is the period, joint included; joints fill [0, mortar) of each period.
-// Courses are stacked along y; in even courses, among them [0, size.y), the joints across x and z
-// are shifted by half a brick.
+// POV-Ray's brick: `size` is the period, joint included; joints fill the last `mortar` of each
+// period. Courses are stacked along y; in odd courses the joints across x are shifted by half a
+// brick, in even ones, among them [0, size.y), those across z (measured in POV-Ray 3.7, see the
+// test).
 template <class Real>
 inline bool in_mortar(Vec3<Real> p, Vec3<Real> size, Real mortar) {
-  if (wrapped(p.y, size.y) < mortar) return true;
-  const bool shifted = !in_odd_cell(p.y / size.y);
-  const Real x = shifted ? p.x + size.x / 2 : p.x;
-  const Real z = shifted ? p.z + size.z / 2 : p.z;
-  return wrapped(x, size.x) < mortar || wrapped(z, size.z) < mortar;
+  if (wrapped(p.y, size.y) >= size.y - mortar) return true;
+  const bool odd = in_odd_cell(p.y / size.y);
+  const Real x = odd ? p.x + size.x / 2 : p.x;
+  const Real z = odd ? p.z : p.z + size.z / 2;
+  return wrapped(x, size.x) >= size.x - mortar || wrapped(z, size.z) >= size.z - mortar;
 }
 
 }  // namespace alhazen::render
