@@ -1,0 +1,139 @@
+#include "app/povray/export_pov.h"
+
+#include <algorithm>
+
+#include "app/povray/exporter.h"
+#include "app/povray/nesting.h"
+#include "render/image/exr_write.h"
+
+namespace alhazen {
+namespace {
+
+constexpr int kMaxTraceLevel = 256;  // POV-Ray's own limit
+
+Rgbd sum_of_ambient(const Scene& scene) {
+  Rgbd sum;
+  for (const Light& light : scene.lights) {
+    if (const auto* l = std::get_if<AmbientLight>(&light.source)) sum += l->radiance;
+  }
+  return sum;
+}
+
+Result<std::string> encode(const render::ImagePixels& image, double factor) {
+  render::ExrFile file;
+  file.display_window = file.data_window = {0, 0, image.width, image.height};
+  file.beauty = render::FloatBuffer(image.width, image.height, {"R", "G", "B"});
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto plane = file.beauty.channel(c);
+    for (std::size_t i = 0; i < plane.size(); ++i)
+      plane[i] = static_cast<float>(factor * image.rgb[3 * i + c]);
+  }
+  Result<render::EncodedExr> encoded = render::encode_exr(file);
+  if (!encoded) return encoded.error();
+  return std::move(encoded).value().bytes;
+}
+
+// Each picture that the text names, once.
+Result<std::vector<PovFile>> picture_files(const Exporter& exporter) {
+  std::vector<PovFile> files;
+  const auto add = [&](std::string name, ImageId id, double factor) -> Status {
+    if (exporter.out.text().find('"' + name + '"') == std::string::npos) return Unit{};
+    Result<std::string> bytes = encode(exporter.images[id], factor);
+    if (!bytes) return bytes.error();
+    files.push_back({std::move(name), std::move(bytes).value()});
+    return Unit{};
+  };
+  for (ImageId id = 0; id < exporter.images.size(); ++id) {
+    if (Status added = add(exporter.image_name(id), id, 1); !added) return added.error();
+  }
+  const auto* sky = std::get_if<EnvironmentBackground>(&exporter.scene.background.source);
+  if (sky != nullptr) {
+    if (Status added = add(exporter.sky_name(), sky->image, sky->intensity); !added) {
+      return added.error();
+    }
+  }
+  return files;
+}
+
+std::string heading(const Exporter& exporter) {
+  const RenderSettings& settings = exporter.scene.settings;
+  PovWriter head;
+  head.comment(fmt::format(
+      "An Alhazen scene for POV-Ray 3.7. Colours are scene-linear, in the working space.\n"
+      "povray +I{}.pov +O{}.exr +FE +W{} +H{} -A -J",
+      exporter.stem, exporter.stem, settings.width, settings.height));
+  if (exporter.deviations.empty()) {
+    head.comment("All of it can be said exactly.");
+  } else {
+    head.comment("The nearest that POV-Ray can say, not the same:");
+    for (const Deviation& d : exporter.deviations)
+      head.comment("  " + deviation_text(d, exporter.sources));
+  }
+  return head.text();
+}
+
+}  // namespace
+
+void Exporter::deviate(DeviationKind kind, SourceSpan span) {
+  const bool known = std::ranges::any_of(
+      deviations, [&](const Deviation& d) { return d.kind == kind && d.span == span; });
+  if (!known) deviations.push_back({kind, span});
+}
+
+std::string Exporter::image_name(ImageId id) const {
+  return fmt::format("{}_{}.exr", stem, id);
+}
+
+std::string Exporter::sky_name() const {
+  return stem + "_sky.exr";
+}
+
+std::string origin_of(const Exporter& exporter, SourceSpan span, std::string_view what) {
+  const std::string place = exporter.sources.describe(span);
+  return fmt::format("{}{}{}", place, place.empty() ? "" : ": ", what);
+}
+
+void export_settings(Exporter& exporter) {
+  const RenderSettings& settings = exporter.scene.settings;
+  if (settings.max_depth >= kMaxTraceLevel) {
+    exporter.deviate(DeviationKind::depth, settings.span);
+  }
+  exporter.out.line("#version 3.7;");
+  exporter.out.open("global_settings");
+  exporter.out.line("assumed_gamma 1");
+  // A level more: POV-Ray counts the camera ray.
+  exporter.out.line(
+      fmt::format("max_trace_level {}", std::min(settings.max_depth, kMaxTraceLevel - 1) + 1));
+  exporter.out.line(fmt::format("adc_bailout {}", pov_number(settings.cutoff)));
+  exporter.out.line("ambient_light rgb 1");
+  exporter.out.close();
+  exporter.out.blank();
+}
+
+Result<PovExport> export_pov(const Scene& scene, const SourceManager& sources,
+                             const std::vector<render::ImagePixels>& images,
+                             const std::string& stem) {
+  Exporter exporter{scene,
+                    sources,
+                    images,
+                    stem,
+                    derive_effects(scene),
+                    solid_colors(scene),
+                    sum_of_ambient(scene),
+                    {},
+                    {}};
+  export_settings(exporter);
+  export_camera(exporter);
+  export_background(exporter);
+  export_lights(exporter);
+  export_shapes(exporter);
+  for (const SourceSpan span : solids_within_solids(scene)) {
+    exporter.deviate(DeviationKind::nested_glass, span);
+  }
+  Result<std::vector<PovFile>> files = picture_files(exporter);
+  if (!files) return files.error();
+  return PovExport{heading(exporter) + exporter.out.text(), std::move(exporter.deviations),
+                   std::move(files).value()};
+}
+
+}  // namespace alhazen
