@@ -11,6 +11,7 @@
 #include "app/cli/overrides.h"
 #include "app/cli/overwrite_check.h"
 #include "app/cli/provenance.h"
+#include "app/cli/scene_files.h"
 #include "app/cli/streams.h"
 #include "core/base/file.h"
 #include "render/color/preview.h"
@@ -111,24 +112,12 @@ Status write_files(const RenderRequest& request, const PictureJob& job,
   return Unit{};
 }
 
-// Every file that the picture is made from.
-std::vector<std::filesystem::path> files_used(const RenderRequest& request,
-                                              const parser::Evaluation& evaluation) {
-  std::vector<std::filesystem::path> files = evaluation.files_read;
-  for (const ImageFile& image : evaluation.scene->images)
-    files.emplace_back(image.path);
-  const render::ColorSource colors = render::color_source(request.color_file);
-  for (const std::string& file : {colors.explicit_file, colors.environment_file}) {
-    if (!file.empty()) files.emplace_back(file);
-  }
-  return files;
-}
-
 // Everything that can be found wrong before the first ray.
 Status prepare(const RenderRequest& request, const PictureJob& job, parser::Evaluation& evaluation,
                PictureReport& report) {
   const std::vector<std::string> outputs = {job.output, job.preview, request.statistics};
-  if (Status apart = check_overwrites(outputs, files_used(request, evaluation)); !apart) {
+  if (Status apart = check_overwrites(outputs, files_used(evaluation, request.color_file));
+      !apart) {
     return apart;
   }
   Scene& scene = *evaluation.scene;

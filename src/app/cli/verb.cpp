@@ -13,6 +13,8 @@ constexpr Verb kVerbs[] = {
     {"dump", "print what the program makes of a scene, step by step", run_dump},
     {"compare", "say how two pictures differ, in figures and to look at", run_compare},
     {"import", "write the scene of another program as a .scn text", run_import},
+    {"export-pov", "write the equivalent scene for POV-Ray 3.7", run_export_pov},
+    {"cross-check", "render scenes here and with POV-Ray, and compare", run_cross_check},
     {"help", "say what a verb does and which options it has", run_help},
     {"version", "print the versions of the program and its libraries", run_version},
 };
