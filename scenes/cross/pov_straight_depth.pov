@@ -1,0 +1,17 @@
+// Written by hand, to say the same as pov_straight_depth.scn.
+#version 3.7;
+global_settings { assumed_gamma 1  max_trace_level 3  adc_bailout 0 }
+camera { location <0.3, 1.1, -4>  up y*3/4  right x  angle 50  look_at <0, 0.1, 0> }
+background { rgb <0.2, 0.3, 0.45> }
+light_source { <-3, 5, -4> rgb <1, 0.95, 0.9> }
+plane { y, -0.9
+  texture {
+    pigment { checker rgb 0.9, rgb <0.25, 0.2, 0.2> scale 0.61 translate <0.11, 0.13, 0.07> }
+    finish { diffuse 0.7 }
+  }
+}
+#declare I = 1;
+#while (I <= 5)
+  sphere { 0, 0.18*I pigment { rgb <0.9, 0.95, 1> filter 0.8 } finish { diffuse 0.3 } }
+  #declare I = I + 1;
+#end
