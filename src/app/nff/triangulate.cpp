@@ -3,8 +3,9 @@
 // Why the result is right: cutting off the corner b between a and c takes the boundary of the
 // triangle abc from the boundary that is left. So the triangles' boundaries add up to the
 // polygon's, and the number of triangles over a point, each counted by its orientation, is the
-// number of times the polygon winds around the point. That is 0 or 1 everywhere if edges do not
-// cross; as only counterclockwise triangles are cut off, they cover each point of the inside once.
+// number of times the polygon winds around the point. That is 0 or 1 everywhere if edges neither
+// cross nor repeat; as only counterclockwise triangles are cut off, they cover each point of the
+// inside once.
 #include "app/nff/triangulate.h"
 
 #include <algorithm>
@@ -55,11 +56,27 @@ bool segments_cross(Point2 a, Point2 b, Point2 c, Point2 d) {
          orientation(c, d, a) * orientation(c, d, b) < 0;
 }
 
+// Whether a piece of one segment is gone over again by the other in the same direction. (There and
+// back is how a hole is joined to the rim.)
+bool segments_repeat(Point2 a, Point2 b, Point2 c, Point2 d) {
+  if (!boxes_meet(a, b, c, d) || orientation(a, b, c) != 0 || orientation(a, b, d) != 0) {
+    return false;
+  }
+  if ((b.x > a.x && d.x > c.x) || (b.x < a.x && d.x < c.x)) {
+    return std::max(std::min(a.x, b.x), std::min(c.x, d.x)) <
+           std::min(std::max(a.x, b.x), std::max(c.x, d.x));
+  }
+  return ((b.y > a.y && d.y > c.y) || (b.y < a.y && d.y < c.y)) &&
+         std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <
+             std::min(std::max(a.y, b.y), std::max(c.y, d.y));
+}
+
 bool edges_cross(const std::vector<Point2>& points) {
   const std::size_t n = points.size();
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
-      if (segments_cross(points[i], points[i + 1], points[j], points[(j + 1) % n])) return true;
+      const Point2 a = points[i], b = points[i + 1], c = points[j], d = points[(j + 1) % n];
+      if (segments_cross(a, b, c, d) || segments_repeat(a, b, c, d)) return true;
     }
   }
   return false;

@@ -191,6 +191,11 @@ TEST(Triangulate, SaysWhatIsNoPolygon) {
   EXPECT_EQ(kind_of({{0, 0}, {50, 0}, {50, 50}, {0, 0}, {-60, 0}, {-60, -60}}), PolygonKind::good);
   EXPECT_EQ(kind_of({{0, 0}, {50, 0}, {50, 50}, {0, 0}, {-60, -60}, {-60, 0}}),
             PolygonKind::edges_cross);
+  // A square gone around twice, from one corner and from the middle of an edge.
+  EXPECT_EQ(kind_of({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {9, 0}, {9, 9}, {0, 9}}),
+            PolygonKind::edges_cross);
+  EXPECT_EQ(kind_of({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {5, 0}, {9, 0}, {9, 9}, {0, 9}}),
+            PolygonKind::edges_cross);
   // There and back, with an area of 0, but not on one line.
   EXPECT_EQ(kind_of({{0, 0}, {10, 0}, {10, 10}, {10, 0}}), PolygonKind::edges_cross);
 }
