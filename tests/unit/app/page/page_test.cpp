@@ -1,7 +1,6 @@
 #include "app/page/page.h"
 
 #include <gmock/gmock.h>
-#include <regex>
 
 #include "app/page/base64.h"
 #include "app/page/pictures.h"
@@ -67,8 +66,8 @@ TEST(Page, LoadsNothing) {
   EXPECT_THAT(page, Not(HasSubstr("url(")));
   EXPECT_THAT(page, Not(HasSubstr("@import")));
   EXPECT_THAT(page, Not(HasSubstr("<link")));
-  const std::regex source("src=\"(?!data:)");
-  EXPECT_FALSE(std::regex_search(page, source));
+  for (std::size_t at = 0; (at = page.find("src=\"", at)) != std::string::npos; ++at)
+    EXPECT_EQ(page.substr(at, 10), "src=\"data:");
 }
 
 TEST(Page, IsForLightAndDarkAndPhones) {
