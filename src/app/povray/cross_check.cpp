@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/base/file.h"
+#include "core/scene/effect.h"
 #include "render/image/exr_read.h"
 #include "render/image/exr_write.h"
 
@@ -56,7 +57,8 @@ class CrossChecking {
  public:
   CrossChecking(const CheckedScene& checked, const fs::path& folder, const PovRunOptions& run)
       : checked_(checked), scene_(checked.scene), folder_(folder), run_(run) {
-    scene_.settings.samples = 1;
+    // A lens needs its samples; everything else is compared at the pixels' centres.
+    if (!derive_effects(scene_).has(Effect::depth_of_field)) scene_.settings.samples = 1;
     scene_.settings.adaptive.reset();
     scene_.settings.filter = {};
     scene_.settings.transparent_background = false;
