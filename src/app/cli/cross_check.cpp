@@ -135,10 +135,9 @@ class CrossCheckRun {
   void say(const CrossCheck& check) const {
     if (request_.json) return;
     for (const Witness& w : check.witnesses) {
-      write_stderr(fmt::format("{:<9} {} ({}): {}; {:.1f} ms, POV-Ray {:.1f} ms\n",
-                               w.verdict.passes ? "same" : "DIFFERENT", check.name, w.name,
-                               w.verdict.sentence, 1000 * check.our_seconds,
-                               1000 * w.run.wall_seconds));
+      write_stderr(fmt::format("{:<20} {} ({}): {}; {:.1f} ms, POV-Ray {:.1f} ms\n",
+                               result_name(w.verdict), check.name, w.name, w.verdict.sentence,
+                               1000 * check.our_seconds, 1000 * w.run.wall_seconds));
     }
   }
 

@@ -45,6 +45,7 @@ th[title] { text-decoration: underline dotted; cursor: help; }
   display: grid; gap: 1rem; margin: 1rem 0;
   grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr));
 }
+.three { grid-template-columns: repeat(auto-fill, minmax(min(100%, 20rem), 1fr)); }
 figure { margin: 0; }
 figure button {
   display: block; width: 100%; padding: 0; border: 1px solid var(--line); background: none;

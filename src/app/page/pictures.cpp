@@ -33,7 +33,8 @@ Result<Html> html_pictures(std::span<const PagePicture> pictures) {
     if (!html) return html.error();
     figures += html.value();
   }
-  return html_element("div", figures, {{"class", "pictures"}});
+  return html_element("div", figures,
+                      {{"class", pictures.size() == 3 ? "pictures three" : "pictures"}});
 }
 
 }  // namespace alhazen

@@ -104,6 +104,12 @@ std::string_view name(Cause cause) {
   return kNames[static_cast<std::size_t>(cause)];
 }
 
+std::string_view result_name(const Verdict& verdict) {
+  if (!verdict.passes) return "DIFFERENT";
+  if (verdict.over == 0) return "same";
+  return verdict.by_allowance ? "within its tolerance" : "same but for edges";
+}
+
 Verdict judge(const render::FloatBuffer& ours, const render::FloatBuffer& theirs,
               const std::vector<std::uint32_t>& objects, const Allowance* allowance) {
   std::vector<PlanePair> planes;
@@ -124,6 +130,7 @@ Verdict judge(const render::FloatBuffer& ours, const render::FloatBuffer& theirs
     verdict.pixels.push_back(judge.pixel(pixel));
   decide(verdict);
   if (allowance != nullptr) {
+    verdict.by_allowance = true;
     verdict.passes = verdict.rmse <= allowance->rmse;
     verdict.sentence = fmt::format("RMSE {:.3g}, allowed {:.3g}: {}", verdict.rmse, allowance->rmse,
                                    allowance->reason);

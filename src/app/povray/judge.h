@@ -41,11 +41,15 @@ struct JudgedPixel {
 
 struct Verdict {
   bool passes = false;
-  std::string sentence;  // why, or why not
+  bool by_allowance = false;  // it was held to the scene's own tolerance
+  std::string sentence;       // why, or why not
   std::uint64_t channels = 0, over = 0;
   double rmse = 0, largest = 0;
   std::vector<JudgedPixel> pixels;  // over the tolerance, in the order of rows
 };
+
+// "same", "same but for edges", "within its tolerance", "DIFFERENT".
+std::string_view result_name(const Verdict& verdict);
 
 // Planes R, G, B of one size, and the object that each pixel shows. Passes when at least
 // kShareWithin of the channels agree to kHalfFloat and every other pixel is a silhouette or an
