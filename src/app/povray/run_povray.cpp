@@ -1,38 +1,62 @@
 #include "app/povray/run_povray.h"
 
-#include <cerrno>
-#include <chrono>
-#include <csignal>
 #include <cstdlib>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <regex>
-#include <spawn.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <system_error>
-#include <thread>
 
+#include "app/povray/child_process.h"
+#include "app/povray/temporary_folder.h"
 #include "core/base/file.h"
-
-extern char** environ;
 
 namespace alhazen {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
+constexpr std::uint64_t kMaxSceneBytes = std::uint64_t{1} << 28;
 constexpr std::uint64_t kMaxLogBytes = std::uint64_t{1} << 26;
+constexpr std::uint64_t kMaxPictureBytes = std::uint64_t{1} << 36;
 constexpr std::size_t kShownLogLines = 12;
-constexpr auto kPollInterval = std::chrono::milliseconds(1);
+// Where the packages of systems put what scenes include.
+constexpr const char* kIncludeFolders[] = {"/usr/share/povray-3.7/include",
+                                           "/usr/local/share/povray-3.7/include"};
+
+// POV-Ray takes words apart at blanks, semicolons and quotes, does not open names beyond ASCII, and
+// as installed writes in few folders only. So it works in one of ours, on a copy.
+struct Workplace {
+  TemporaryFolder folder;
+  fs::path scene, picture, log, settings;
+
+  explicit Workplace(TemporaryFolder made)
+      : folder(std::move(made)),
+        scene(folder.path() / "scene.pov"),
+        picture(folder.path() / "picture.exr"),
+        log(folder.path() / "log"),
+        settings(folder.path() / "povray.ini") {}
+};
+
+// Instead of the person's own settings, and instead of a povray.ini beside the scene: either could
+// make it another picture.
+std::string settings_text() {
+  std::string text;
+  for (const char* folder : kIncludeFolders) {
+    std::error_code ignored;
+    if (fs::is_directory(folder, ignored)) text += fmt::format("Library_Path=\"{}\"\n", folder);
+  }
+  return text;
+}
+
+// A file name as one word: between quotes of the kind that is not in it.
+std::string quoted(const fs::path& file) {
+  const char quote = file.string().find('"') == std::string::npos ? '"' : '\'';
+  return quote + file.string() + quote;
+}
 
 // +FE EXR, -D no window, -V no progress, -A and -J one ray through the pixel's centre.
-std::vector<std::string> command_line(const fs::path& scene, const fs::path& picture,
-                                      const PovRunOptions& options) {
+std::vector<std::string> command_line(const Workplace& place, const PovRunOptions& options) {
   std::vector<std::string> words = {options.program,
-                                    "+I" + scene.filename().string(),
-                                    "+O" + fs::absolute(picture).string(),
+                                    "+I" + quoted(place.scene),
+                                    "+O" + quoted(place.picture),
                                     "+FE",
                                     fmt::format("+W{}", options.width),
                                     fmt::format("+H{}", options.height),
@@ -45,110 +69,75 @@ std::vector<std::string> command_line(const fs::path& scene, const fs::path& pic
   return words;
 }
 
-// Starts it in the scene's folder, where its pictures are, with all output in `log`.
-Result<pid_t> start(const std::vector<std::string>& words, const fs::path& folder,
-                    const fs::path& log) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words)
-    arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  pid_t child = 0;
-  const int failed =
-      posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed == ENOENT) {
-    return Error{ErrorCode::unsupported,
-                 fmt::format("POV-Ray is needed, and there is no program `{}`; on Debian: apt "
-                             "install povray",
-                             words[0])};
-  }
-  if (failed != 0) {
-    return Error{ErrorCode::io, fmt::format("cannot start `{}`: {}", words[0],
-                                            std::generic_category().message(failed))};
-  }
-  return child;
+Status copy_file(const fs::path& from, const fs::path& to, std::uint64_t max_bytes) {
+  const auto bytes = read_file(from, max_bytes);
+  if (!bytes) return bytes.error();
+  return write_file_atomic(to, bytes.value());
 }
 
-double seconds(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-struct Ended {
-  int status = 0;
-  double cpu_seconds = 0;
-};
-
-Result<Ended> wait_for(pid_t child, const PovRunOptions& options) {
-  const auto limit = Clock::now() + std::chrono::duration<double>(options.time_limit_seconds);
-  for (;;) {
-    rusage used{};
-    Ended ended;
-    const pid_t done = wait4(child, &ended.status, WNOHANG, &used);
-    if (done == child) {
-      ended.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
-      return ended;
-    }
-    const bool cancelled = options.cancel != nullptr && options.cancel->load();
-    if (cancelled || Clock::now() > limit) {
-      kill(child, SIGKILL);
-      waitpid(child, nullptr, 0);
-      if (cancelled) return Error{ErrorCode::stopped, "stopped while POV-Ray was running"};
-      return Error{ErrorCode::limit,
-                   fmt::format("POV-Ray took more than {} seconds", options.time_limit_seconds)};
-    }
-    std::this_thread::sleep_for(kPollInterval);
-  }
-}
-
-// The last lines of the log: that is where POV-Ray says what is wrong.
+// The last lines of the log: that is where POV-Ray says what is wrong. A scene can make it say
+// anything, so what a terminal would obey is left out.
 std::string end_of(const std::string& log) {
   std::size_t begin = log.size(), lines = 0;
-  while (begin > 0 && lines <= kShownLogLines) {
+  while (begin > 0 && (lines += log[begin - 1] == '\n' ? 1 : 0) <= kShownLogLines)
     --begin;
-    if (log[begin] == '\n') ++lines;
-  }
-  return log.substr(begin);
+  std::string out = log.substr(begin);
+  std::erase_if(out, [](unsigned char c) { return c != '\n' && (c < ' ' || c == 0x7f); });
+  return out;
 }
 
+// Of the last line like "  Trace Time:  0 hours  0 minutes  1 seconds (1.234 seconds)"; 0 if none.
 double trace_seconds(const std::string& log) {
-  static const std::regex kTrace(R"(Trace Time:[^(]*\(([0-9.]+) seconds\))");
-  std::smatch match;
-  return std::regex_search(log, match, kTrace) ? std::strtod(match[1].str().c_str(), nullptr) : 0;
+  const std::size_t line = log.rfind("Trace Time:");
+  const std::size_t bracket = line == std::string::npos ? line : log.find_first_of("(\n", line);
+  if (bracket == std::string::npos || log[bracket] != '(') return 0;
+  const double seconds = std::strtod(log.c_str() + bracket + 1, nullptr);
+  return seconds >= 0 && seconds < 1e9 ? seconds : 0;
+}
+
+Error refusal(const fs::path& scene, const ChildEnd& ended, const std::string& log) {
+  const std::string why = ended.signal != 0 ? fmt::format("signal {}", ended.signal)
+                                            : fmt::format("exit code {}", ended.exit_code);
+  return {ErrorCode::usage,
+          fmt::format("POV-Ray could not render `{}` ({}):\n{}", scene.string(), why, end_of(log))};
 }
 
 }  // namespace
 
 Result<PovRun> run_povray(const fs::path& scene, const fs::path& picture,
                           const PovRunOptions& options) {
-  const fs::path log_file = fs::absolute(picture).string() + ".log";
-  const fs::path folder = fs::absolute(scene).parent_path();
-  const auto started = Clock::now();
-  const Result<pid_t> child = start(command_line(scene, picture, options), folder, log_file);
-  if (!child) return child.error();
-  const Result<Ended> ended = wait_for(child.value(), options);
-  PovRun run;
-  run.wall_seconds = std::chrono::duration<double>(Clock::now() - started).count();
-  const Result<std::string> log = read_file(log_file, kMaxLogBytes);
-  std::error_code ignored;
-  fs::remove(log_file, ignored);
-  if (!ended) return ended.error();
-  if (!log) return log.error();
-  run.log = log.value();
-  run.cpu_seconds = ended.value().cpu_seconds;
-  run.trace_seconds = trace_seconds(run.log);
-  const int status = ended.value().status;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    return Error{ErrorCode::usage, fmt::format("POV-Ray could not render `{}`:\n{}", scene.string(),
-                                               end_of(run.log))};
+  auto made = TemporaryFolder::make();
+  if (!made) return made.error();
+  const Workplace place(std::move(made).value());
+  for (const Status& done : {copy_file(scene, place.scene, kMaxSceneBytes),
+                             write_file_atomic(place.settings, settings_text())}) {
+    if (!done) return done.error();
   }
-  return run;
+  ChildProcess process;
+  process.words = command_line(place, options);
+  process.folder = fs::absolute(scene).parent_path();  // where its pictures are
+  process.log = place.log;
+  process.environment = {"POVINI=" + place.settings.string()};
+  process.max_log_bytes = kMaxLogBytes;
+  process.time_limit_seconds = options.time_limit_seconds;
+  process.cancel = options.cancel;
+  const Result<ChildEnd> ended = run_child(process);
+  if (!ended && ended.error().code == ErrorCode::unsupported) {
+    return Error{ErrorCode::unsupported, "POV-Ray is needed, and " + ended.error().message +
+                                             "; on Debian: apt install povray"};
+  }
+  if (!ended) return ended.error();
+  const Result<std::string> log = read_file(place.log, 2 * kMaxLogBytes);
+  if (!log) return log.error();
+  const ChildEnd& end = ended.value();
+  if (end.exit_code != 0 || end.signal != 0) return refusal(scene, end, log.value());
+  std::error_code ignored;
+  if (!fs::exists(place.picture, ignored)) {
+    return Error{ErrorCode::io, fmt::format("POV-Ray wrote no picture of `{}`", scene.string())};
+  }
+  const Status kept = copy_file(place.picture, picture, kMaxPictureBytes);
+  if (!kept) return kept.error();
+  return PovRun{end.wall_seconds, end.cpu_seconds, trace_seconds(log.value()), log.value()};
 }
 
 }  // namespace alhazen

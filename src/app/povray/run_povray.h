@@ -26,9 +26,10 @@ struct PovRun {
 };
 
 // Renders `scene` to `picture`, an EXR file, without anti-aliasing: one ray through each pixel's
-// centre. Paths are absolute or as from here. Errors: unsupported when there is no such program;
-// usage when POV-Ray refuses the scene, with the end of its log; limit when it was too slow;
-// stopped; io.
+// centre. Paths are absolute or as from here; what the scene reads is found from its own folder.
+// Whatever settings of POV-Ray lie about do not matter. Errors: unsupported when there is no such
+// program; usage when POV-Ray refuses the scene, with the end of its log; limit when it was too
+// slow; stopped; io. Then `picture` is as it was before.
 Result<PovRun> run_povray(const std::filesystem::path& scene, const std::filesystem::path& picture,
                           const PovRunOptions& options);
 
