@@ -1,7 +1,9 @@
 #include "app/povray/judge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 #include "app/compare/pixels_over.h"
 
@@ -29,6 +31,7 @@ class Judge {
   JudgedPixel pixel(const PixelOver& over) const {
     JudgedPixel out{over.place, color(ours_, over.place), color(theirs_, over.place),
                     over.largest_error, Cause::unexplained};
+    if (!std::isfinite(over.largest_error)) return out;
     if (shows_several_objects(over.place)) {
       out.cause = Cause::silhouette;
     } else if (is_step(over.place)) {
@@ -55,8 +58,9 @@ class Judge {
     return several;
   }
 
-  // Whether in each channel the neighbourhood of one of the pictures spans at least the difference:
-  // then an edge lies there, and the two programs put it on different sides of the pixel's centre.
+  // Whether in each channel the pixels around, in one of the pictures, span at least the
+  // difference: then an edge lies there, and the two programs put it on different sides of the
+  // pixel's centre. Not the pixel itself: a speck in one of the pictures would be its own edge.
   bool is_step(PixelPlace place) const {
     for (std::size_t c = 0; c < 3; ++c) {
       const float difference =
@@ -69,8 +73,9 @@ class Judge {
   }
 
   static float spread(const render::FloatBuffer& picture, std::size_t channel, PixelPlace place) {
-    float low = picture.at(channel, place.column, place.row), high = low;
+    float low = std::numeric_limits<float>::infinity(), high = -low;
     around(place, picture, [&](int column, int row) {
+      if (PixelPlace{column, row} == place) return;
       low = std::min(low, picture.at(channel, column, row));
       high = std::max(high, picture.at(channel, column, row));
     });
@@ -82,7 +87,29 @@ class Judge {
   const std::vector<std::uint32_t>& objects_;
 };
 
-void decide(Verdict& verdict) {
+std::uint64_t count_not_finite(const std::vector<PlanePair>& planes) {
+  std::uint64_t count = 0;
+  for (const PlanePair& plane : planes) {
+    for (std::size_t i = 0; i < plane.a.size(); ++i)
+      count += std::isfinite(plane.a[i]) && std::isfinite(plane.b[i]) ? 0 : 1;
+  }
+  return count;
+}
+
+void decide(Verdict& verdict, const Allowance* allowance) {
+  if (verdict.not_finite > 0) {
+    verdict.passes = false;
+    verdict.sentence =
+        fmt::format("{} channels are not finite in one picture or both", verdict.not_finite);
+    return;
+  }
+  if (allowance != nullptr) {
+    verdict.by_allowance = true;
+    verdict.passes = verdict.rmse <= allowance->rmse;
+    verdict.sentence = fmt::format("RMSE {:.3g}, allowed {:.3g}: {}", verdict.rmse, allowance->rmse,
+                                   allowance->reason);
+    return;
+  }
   const double share =
       1 - static_cast<double>(verdict.over) / static_cast<double>(verdict.channels);
   const auto unexplained =
@@ -123,18 +150,13 @@ Verdict judge(const render::FloatBuffer& ours, const render::FloatBuffer& theirs
   Verdict verdict;
   verdict.channels = over.samples;
   verdict.over = over.over;
+  verdict.not_finite = count_not_finite(planes);
   verdict.rmse = figures.rmse;
   verdict.largest = figures.largest.error;
   const Judge judge(ours, theirs, objects);
   for (const PixelOver& pixel : over.pixels)
     verdict.pixels.push_back(judge.pixel(pixel));
-  decide(verdict);
-  if (allowance != nullptr) {
-    verdict.by_allowance = true;
-    verdict.passes = verdict.rmse <= allowance->rmse;
-    verdict.sentence = fmt::format("RMSE {:.3g}, allowed {:.3g}: {}", verdict.rmse, allowance->rmse,
-                                   allowance->reason);
-  }
+  decide(verdict, allowance);
   return verdict;
 }
 

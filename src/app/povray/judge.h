@@ -44,6 +44,7 @@ struct Verdict {
   bool by_allowance = false;  // it was held to the scene's own tolerance
   std::string sentence;       // why, or why not
   std::uint64_t channels = 0, over = 0;
+  std::uint64_t not_finite = 0;  // channels that are NaN or infinite in either picture
   double rmse = 0, largest = 0;
   std::vector<JudgedPixel> pixels;  // over the tolerance, in the order of rows
 };
@@ -51,9 +52,10 @@ struct Verdict {
 // "same", "same but for edges", "within its tolerance", "DIFFERENT".
 std::string_view result_name(const Verdict& verdict);
 
-// Planes R, G, B of one size, and the object that each pixel shows. Passes when at least
-// kShareWithin of the channels agree to kHalfFloat and every other pixel is a silhouette or an
-// edge; with an allowance when the RMSE is at most as large.
+// Planes R, G, B of one size, and the object that each pixel shows. Passes when all
+// values are finite and at least kShareWithin of the channels agree to kHalfFloat and every other
+// pixel is a silhouette or an edge; with an allowance when all are finite and the RMSE is at most
+// as large.
 Verdict judge(const render::FloatBuffer& ours, const render::FloatBuffer& theirs,
               const std::vector<std::uint32_t>& objects, const Allowance* allowance);
 
