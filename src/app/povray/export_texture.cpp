@@ -136,8 +136,10 @@ class TextureExport {
         fmt::format("brick_size {} mortar {}", pov_vector(p.size), pov_number(p.mortar_width));
     if (at.functions) {
       const auto& [x, y, z] = *at.functions;
+      // A function cannot be declared twice, but forgotten.
       out().line(fmt::format("#declare wall = function {{ pattern {{ brick {} }} }}", size));
       out().line(fmt::format("function {{ 0.5*wall({}, {}, {}) }}", x, y, z));
+      out().line("#undef wall");
       step(p.mortar, p.brick, inside);
     } else {
       out().line("brick");

@@ -1,5 +1,7 @@
 #include "app/povray/pov_writer.h"
 
+#include <algorithm>
+
 namespace alhazen {
 
 std::string pov_number(double value) {
@@ -30,10 +32,15 @@ void PovWriter::line(std::string_view text) {
   text_.append(2 * depth_, ' ').append(text) += '\n';
 }
 
+// Names in scenes and files may hold anything, and POV-Ray ends a comment at \r, too: what stands
+// behind that would be code.
 void PovWriter::comment(std::string_view text) {
+  const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
-    line("// " + std::string(text.substr(0, end)));
+    std::string shown(text.substr(0, end));
+    std::ranges::replace_if(shown, is_control, ' ');
+    line("// " + shown);
     text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
   }
 }

@@ -20,7 +20,7 @@ std::string pov_matrix(const Affined& map);
 class PovWriter {
  public:
   void line(std::string_view text);
-  // One line for each of `text`, each behind `// `.
+  // One line for each of `text`, each behind `// `; other control characters become blanks.
   void comment(std::string_view text);
   void blank() { text_ += '\n'; }
   void open(std::string_view head);  // "sphere {"
