@@ -1,17 +1,22 @@
 // app/cli: alhazen cross-check: both programs, both pictures, one verdict for each scene.
 #include "app/povray/cross_check.h"
 
-#include <cstdlib>
+#include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
+#include <set>
 #include <system_error>
 
 #include "app/cli/cross_check_options.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/overwrite_check.h"
+#include "app/cli/scene_files.h"
 #include "app/cli/scene_with_images.h"
 #include "app/cli/streams.h"
 #include "app/povray/allowances.h"
 #include "app/povray/report_page.h"
+#include "app/povray/temporary_folder.h"
 #include "core/base/file.h"
 
 namespace alhazen {
@@ -25,34 +30,28 @@ constexpr std::uint64_t kMaxAllowancesBytes = std::uint64_t{1} << 24;
 class WorkFolder {
  public:
   static Result<WorkFolder> make(const std::string& asked) {
+    if (asked.empty()) {
+      auto made = TemporaryFolder::make();
+      if (!made) return made.error();
+      fs::path path = made.value().path();
+      return WorkFolder(std::move(path), std::move(made).value());
+    }
     std::error_code failed;
-    if (!asked.empty()) {
-      fs::create_directories(asked, failed);
-      if (failed) {
-        return Error{ErrorCode::io,
-                     fmt::format("cannot make the folder `{}`: {}", asked, failed.message())};
-      }
-      return WorkFolder(asked, false);
+    fs::create_directories(asked, failed);
+    if (failed) {
+      return Error{ErrorCode::io,
+                   fmt::format("cannot make the folder `{}`: {}", asked, failed.message())};
     }
-    std::string name = (fs::temp_directory_path(failed) / "alhazen-XXXXXX").string();
-    if (failed || mkdtemp(name.data()) == nullptr) {
-      return Error{ErrorCode::io, "cannot make a temporary folder"};
-    }
-    return WorkFolder(name, true);
-  }
-  WorkFolder(WorkFolder&& other) noexcept
-      : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, false)) {}
-  WorkFolder& operator=(WorkFolder&&) = delete;
-  ~WorkFolder() {
-    std::error_code ignored;
-    if (temporary_) fs::remove_all(path_, ignored);
+    return WorkFolder(asked, std::nullopt);
   }
   const fs::path& path() const { return path_; }
 
  private:
-  WorkFolder(fs::path path, bool temporary) : path_(std::move(path)), temporary_(temporary) {}
+  WorkFolder(fs::path path, std::optional<TemporaryFolder> temporary)
+      : path_(std::move(path)), temporary_(std::move(temporary)) {}
+
   fs::path path_;
-  bool temporary_;
+  std::optional<TemporaryFolder> temporary_;
 };
 
 class CrossCheckRun {
@@ -76,12 +75,16 @@ class CrossCheckRun {
     SceneWithImages input;
     if (const auto code = load_with_images(options, colors_, request_.size, input)) {
       worst_ = std::max(worst_, *code);
-      outcomes_.push_back({name_of(path), Error{ErrorCode::scene, "the scene is wrong"}});
+      outcomes_.push_back(
+          {name_of(path, {}), Error{ErrorCode::scene, "the scene is wrong or cannot be read"}});
       return std::nullopt;
     }
-    CheckedScene checked{name_of(path),        std::move(input.scene()),
+    const auto inputs = files_used(input.loaded.evaluation, options.color_file);
+    std::string name = name_of(path, input.scene());
+    CheckedScene checked{std::move(name),      std::move(input.scene()),
                          input.loaded.sources, input.images,
                          by_hand(path),        std::nullopt};
+    if (const Status apart = check_apart(checked, inputs); !apart) return report(apart.error());
     if (const Status good = find_allowance(path, checked); !good) return report(good.error());
     PovRunOptions run;
     run.program = request_.povray;
@@ -91,7 +94,7 @@ class CrossCheckRun {
     CheckOutcome outcome{checked.name, cross_check(checked, folder_.path(), run)};
     if (!outcome.check) {
       const Error& error = outcome.check.error();
-      if (interrupted()) return ExitCode::stopped;
+      if (interrupted()) return report({ErrorCode::stopped, "stopped by a signal"});
       if (error.code == ErrorCode::unsupported) return report(error);
       worst_ = std::max(worst_, report(error));
     } else {
@@ -101,11 +104,27 @@ class CrossCheckRun {
     return std::nullopt;
   }
 
-  // Scenes of one name in two folders must not share their files.
-  std::string name_of(const std::string& path) {
+  // A name whose files are of no other scene: folders may have scenes of one name, and a scene may
+  // be called as the picture of another.
+  std::string name_of(const std::string& path, const Scene& scene) {
     const std::string stem = fs::path(path).stem().string();
-    const int before = names_[stem]++;
-    return before == 0 ? stem : fmt::format("{}-{}", stem, before + 1);
+    for (int number = 1;; ++number) {
+      std::string name = number == 1 ? stem : fmt::format("{}-{}", stem, number);
+      const auto files = cross_check_files(scene, name);
+      const auto is_taken = [this](const std::string& file) { return taken_.contains(file); };
+      if (std::ranges::any_of(files, is_taken)) continue;
+      taken_.insert(files.begin(), files.end());
+      return name;
+    }
+  }
+
+  // What is read is not written over: the report may be asked for in a folder of scenes.
+  Status check_apart(const CheckedScene& checked, std::vector<fs::path> inputs) const {
+    if (checked.by_hand) inputs.push_back(*checked.by_hand);
+    std::vector<std::string> outputs;
+    for (const std::string& file : cross_check_files(checked.scene, checked.name))
+      outputs.push_back((folder_.path() / file).string());
+    return check_overwrites(outputs, inputs);
   }
 
   static std::optional<fs::path> by_hand(const std::string& path) {
@@ -179,7 +198,7 @@ class CrossCheckRun {
   const render::ColorConfig& colors_;
   const WorkFolder& folder_;
   std::map<fs::path, Allowances> allowances_;
-  std::map<std::string, int> names_;
+  std::set<std::string> taken_;  // names of files
   std::vector<CheckOutcome> outcomes_;
   ExitCode worst_ = ExitCode::done;
 };

@@ -13,6 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kOurSuffix = ".exr";
+constexpr const char* kPovSuffix = ".pov";
+constexpr const char* kExportedSuffix = ".povray.exr";
+constexpr const char* kByHandSuffix = ".by_hand.exr";
 constexpr std::uint64_t kMaxPovBytes = std::uint64_t{1} << 28;
 
 render::FloatBuffer beauty_of(const render::Picture& picture) {
@@ -93,7 +97,7 @@ class CrossChecking {
     file.display_window = file.data_window = {0, 0, run_.width, run_.height};
     file.beauty = result_.ours;
     file.beauty_type = render::SampleType::float32;
-    const auto written = render::write_exr(folder_ / (checked_.name + ".exr"), file);
+    const auto written = render::write_exr(folder_ / (checked_.name + kOurSuffix), file);
     if (!written) return written.error();
     return Unit{};
   }
@@ -104,21 +108,21 @@ class CrossChecking {
     result_.deviations = exported.value().deviations;
     for (const Deviation& d : result_.deviations)
       result_.deviation_texts.push_back(deviation_text(d, checked_.sources));
-    const fs::path file = folder_ / (checked_.name + ".pov");
+    const fs::path file = folder_ / (checked_.name + kPovSuffix);
     for (const PovFile& picture : exported.value().files) {
       const Status written = write_file_atomic(folder_ / picture.name, picture.bytes);
       if (!written) return written;
     }
     const Status written = write_file_atomic(file, exported.value().text);
     if (!written) return written;
-    return ask("exported", file, exported.value().text, ".povray.exr");
+    return ask("exported", file, exported.value().text, kExportedSuffix);
   }
 
   Status ask_by_hand() {
     if (!checked_.by_hand) return Unit{};
     const auto text = read_file(*checked_.by_hand, kMaxPovBytes);
     if (!text) return text.error();
-    return ask("by hand", *checked_.by_hand, text.value(), ".by_hand.exr");
+    return ask("by hand", *checked_.by_hand, text.value(), kByHandSuffix);
   }
 
   Status ask(const char* name, const fs::path& scene, const std::string& text,
@@ -144,6 +148,13 @@ class CrossChecking {
 };
 
 }  // namespace
+
+std::vector<std::string> cross_check_files(const Scene& scene, const std::string& name) {
+  std::vector<std::string> files = pov_file_names(scene, name);
+  for (const char* const suffix : {kOurSuffix, kPovSuffix, kExportedSuffix, kByHandSuffix})
+    files.push_back(name + suffix);
+  return files;
+}
 
 bool CrossCheck::passes() const {
   return std::ranges::all_of(witnesses, [](const Witness& w) { return w.verdict.passes; });

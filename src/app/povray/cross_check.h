@@ -45,10 +45,13 @@ struct CrossCheck {
 };
 
 // Renders in this process and with POV-Ray, and compares. Files are written to `folder`, named
-// after the scene: .exr, .pov, .povray.exr. `run` gives everything but the size. Fails as the
+// after the scene: cross_check_files. `run` gives everything but the size. Fails as the
 // renderer, the exporter and run_povray do, and with ErrorCode::io when POV-Ray's picture cannot be
 // read or has another size.
 Result<CrossCheck> cross_check(const CheckedScene& checked, const std::filesystem::path& folder,
                                const PovRunOptions& run);
+
+// The names of the files that it writes, or may write, for a scene of this name.
+std::vector<std::string> cross_check_files(const Scene& scene, const std::string& name);
 
 }  // namespace alhazen

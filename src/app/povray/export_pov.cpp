@@ -55,6 +55,26 @@ Result<std::vector<PovFile>> picture_files(const Exporter& exporter) {
   return files;
 }
 
+// A name that can stand between quotes in POV-Ray, which knows ASCII alone: any other byte as %5C.
+std::string plain_stem(std::string_view stem) {
+  static constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-+ ";
+  std::string out;
+  for (const char c : stem) {
+    if (kPlain.find(c) != std::string_view::npos) {
+      out += c;
+    } else {
+      out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return out;
+}
+
+template <class Part>
+std::string file_name(std::string_view stem, const Part& part) {
+  return fmt::format("{}_{}.exr", plain_stem(stem), part);
+}
+
 std::string heading(const Exporter& exporter) {
   const RenderSettings& settings = exporter.scene.settings;
   PovWriter head;
@@ -81,11 +101,18 @@ void Exporter::deviate(DeviationKind kind, SourceSpan span) {
 }
 
 std::string Exporter::image_name(ImageId id) const {
-  return fmt::format("{}_{}.exr", stem, id);
+  return file_name(stem, id);
 }
 
 std::string Exporter::sky_name() const {
-  return stem + "_sky.exr";
+  return file_name(stem, "sky");
+}
+
+std::vector<std::string> pov_file_names(const Scene& scene, std::string_view stem) {
+  std::vector<std::string> names = {file_name(stem, "sky")};
+  for (ImageId id = 0; id < scene.images.size(); ++id)
+    names.push_back(file_name(stem, id));
+  return names;
 }
 
 std::string origin_of(const Exporter& exporter, SourceSpan span, std::string_view what) {

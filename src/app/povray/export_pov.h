@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/povray/deviation.h"
@@ -25,9 +26,13 @@ struct PovExport {
 
 // `images` parallels Scene::images, linear in the working space: colours are exported as the
 // numbers that the renderer uses, and POV-Ray's EXR holds the same kind of numbers. `stem` begins
-// the names of files. Fails when a picture cannot be encoded.
+// the names of files, with %5C and the like for what POV-Ray takes in no name. Fails when a picture
+// cannot be encoded.
 Result<PovExport> export_pov(const Scene& scene, const SourceManager& sources,
                              const std::vector<render::ImagePixels>& images,
                              const std::string& stem);
+
+// The names that PovExport::files may have.
+std::vector<std::string> pov_file_names(const Scene& scene, std::string_view stem);
 
 }  // namespace alhazen
