@@ -1,6 +1,7 @@
 // app/povray: materials as texture and interior. POV-Ray has no 1/pi: a diffuse surface of ours is
 // `diffuse 1/pi` there, so that lights keep their numbers.
 #include <algorithm>
+#include <limits>
 
 #include "app/povray/exporter.h"
 #include "core/base/overloaded.h"
@@ -187,10 +188,11 @@ class MaterialExport {
     }
     plain("rgbf <1, 1, 1, 1>",
           "ambient 0 diffuse 0 reflection { rgb 0, rgb 1 fresnel on } conserve_energy");
-    // exp(-(1 - c) d / distance) with 1001 as power, in POV-Ray's way of saying it.
+    // exp(-(1 - c) d / distance) with 1001 as power, in POV-Ray's way of saying it. What is too
+    // little for 1 / most to be a number is nothing.
     std::string fade;
     const double most = largest_channel(m.absorption);
-    if (most > 0) {
+    if (most >= std::numeric_limits<double>::min()) {
       fade = fmt::format(" fade_power 1001 fade_distance {} fade_color {}", pov_number(1 / most),
                          pov_color(Rgbd(1) - m.absorption / most));
     }
