@@ -12,9 +12,12 @@
 namespace alhazen {
 namespace {
 
+// `premultiplied off`: POV-Ray divides an EXR picture by its alpha, and takes `transmit all` for
+// it.
 std::string image_map(Exporter& exporter, const Texture& texture, const std::string& more) {
   const auto& pattern = std::get<ImagePattern>(texture.pattern);
-  return fmt::format("image_map {{ exr \"{}\" gamma 1{}{} }}", exporter.image_name(pattern.image),
+  return fmt::format("image_map {{ exr \"{}\" gamma 1 premultiplied off{}{} }}",
+                     exporter.image_name(pattern.image),
                      pattern.filter == ImageFilter::bilinear ? " interpolate 2" : "", more);
 }
 
