@@ -54,9 +54,11 @@ Coordinates coordinates(const Texture& texture, const Place& place) {
   const bool is_image = std::holds_alternative<ImagePattern>(texture.pattern);
   if (is_image && uv.warp != nullptr) {
     // Modifiers work from the last to the first: the point is wrapped, then turned into the
-    // pattern's coordinates.
+    // pattern's coordinates. Its third coordinate is the distance from the axis or
+    // middle, ours is 0: it is made too small to be seen when `map` turns it into the others.
+    constexpr double kFlat = 1e-9;
     curved.warp = fmt::format("{} warp {{ {} orientation z dist_exp 0 }}",
-                              pov_matrix(inverse_of(map)), uv.warp);
+                              pov_matrix(inverse_of(map * scaling({1, 1, kFlat}))), uv.warp);
     curved.block_from_pattern = curved.block_from_pattern * uv.object_from_warped;
   }
   return curved;
