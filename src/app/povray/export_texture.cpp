@@ -141,6 +141,7 @@ class TextureExport {
       // A function cannot be declared twice, but forgotten.
       out().line(fmt::format("#declare wall = function {{ pattern {{ brick {} }} }}", size));
       out().line(fmt::format("function {{ 0.5*wall({}, {}, {}) }}", x, y, z));
+      out().line("#undef wall");  // POV-Ray declares no function twice
       out().line("#undef wall");
       step(p.mortar, p.brick, inside);
     } else {
