@@ -37,6 +37,8 @@ Real pov_fresnel_eta(const Passage<Real>& passage, Real own, bool entering) {
   return passage.behind == kVacuum ? own : own / passage.ior_here;
 }
 
+// An opaque surface that is met from behind, by a ray that is not known to be inside of it, is the
+// back of a sheet: POV-Ray takes either side of a sheet for the outside.
 template <class Real>
 PovHit<Real> find_pov_hit(Wave<Real>& wave, std::size_t h) {
   const Hit<Real>& hit = wave.hits.hit[h];
@@ -44,13 +46,14 @@ PovHit<Real> find_pov_hit(Wave<Real>& wave, std::size_t h) {
   const MaterialRecord<Real>& material = wave.world.materials[id];
   const Real cosine = incident_cosine(wave, h);
   MediumId here = wave.rays.medium[wave.hits.ray[h]];
-  if (!wave.world.thin[hit.shape]) here = before_surface(wave.media, here, id, hit.enters);
+  const bool enters = hit.enters || (!material.pov_clear && !wave.media.contains(here, id));
+  if (!wave.world.thin[hit.shape]) here = before_surface(wave.media, here, id, enters);
   PovHit<Real> met{};
-  met.passage = cross_shape(wave.world, wave.media, here, hit.shape, hit.enters);
+  met.passage = cross_shape(wave.world, wave.media, here, hit.shape, enters);
   met.interface = dielectric_interface(cosine, met.passage.ior_here / met.passage.ior_behind);
   Real fresnel = 0;
   if (material.pov.fresnel) {
-    const Real eta = pov_fresnel_eta(met.passage, material.ior, hit.enters);
+    const Real eta = pov_fresnel_eta(met.passage, material.ior, enters);
     fresnel = dielectric_interface(cosine, eta).reflectance;
   }
   met.reflected = pov_reflectance(material.pov, wave.hits.color[h], cosine, fresnel);

@@ -81,6 +81,19 @@ TEST(PovFinish, ReflectsWhatItsAngleSays) {
   EXPECT_NEAR(central_radiance(b, {0, 0, -5}), 0.125, kRounding);
 }
 
+// Fresnel at normal incidence on a disc of index 3: ((3 - 1)/(3 + 1))^2, whichever way it faces.
+TEST(PovFinish, SheetsReflectByFresnelOnBothSides) {
+  for (const double z : {-1.0, 1.0}) {
+    SceneBuilder b;
+    b.background(1);
+    PovFinish m = finish(b);
+    m.reflection = {Rgbd(), Rgbd(1), 1, true, 0};
+    m.ior = 3;
+    b.add(Disc{{0, 0, 0}, {0, 0, z}, 4, 0}, b.material(m));
+    EXPECT_NEAR(central_radiance(b, {0, 0, -5}), 0.25, kRounding) << z;
+  }
+}
+
 // Light through three panes: (filter * colour + transmit) at each of six faces, the fade in each
 // pane, and nothing by Fresnel.
 TEST(PovFinish, ShadowsAreTintedStraight) {
