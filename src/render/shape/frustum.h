@@ -81,7 +81,7 @@ inline void cut_by_side(Span<Real>& span, Cone3<Real> o, Cone3<Real> d, bool lea
     span.empty = span.empty || c > Real(0);  // along the axis of a cylinder
     return;
   }
-  const Roots<Real> roots = roots_of(a, b, c, reach);
+  const Roots<Real> roots = roots_of(Quadratic<Real>{a, b, c, reach});
   if (a >= Real(0)) {
     span.cut(roots.near, kSide, roots.far, kSide);
   } else if (d.rho > Real(0)) {

@@ -13,7 +13,7 @@
 namespace alhazen::render {
 
 // A sum that has lost more than this many times its size to cancellation is done again.
-inline constexpr int kLargestCancellation = 16;
+inline constexpr int kLargestCancellation = 8;
 
 template <class Real>
 inline bool has_cancelled(Real sum, Real terms) {
@@ -33,15 +33,35 @@ inline DoubleWord<Real> squared(DoubleWord<Real> a) {
   return a * a;
 }
 
-// The parameters at which the line crosses the quadric, near <= far, from the discriminant
-// b^2 - a c >= 0 and a != 0; the form that adds numbers of one sign (Numerical Recipes 5.6).
+template <class Real>
+inline DoubleWord<Real> two_dot(Vec3<Real> a, Vec3<Real> b) {
+  return two_product(a.x, b.x) + two_product(a.y, b.y) + two_product(a.z, b.z);
+}
+
+// dot(o, d), which decides how far a ray along the ground of a large surface goes.
+template <class Real>
+inline Real dot_of_any(Vec3<Real> o, Vec3<Real> d, Real o_squared, Real d_squared) {
+  const Real sum = dot(o, d), sharp = Real(kLargestCancellation) * sum;
+  return sharp * sharp < o_squared * d_squared ? two_dot(o, d).hi : sum;
+}
+
+// a t^2 + 2 b t + c and its discriminant b^2 - a c. The others are 0 where the discriminant is
+// below zero.
+template <class Real>
+struct Quadratic {
+  Real a, b, c, discriminant;
+};
+
+// The parameters at which the line crosses the quadric, near <= far, from a discriminant >= 0 and
+// a != 0; the form that adds numbers of one sign (Numerical Recipes 5.6).
 template <class Real>
 struct Roots {
   Real near, far;
 };
 
 template <class Real>
-inline Roots<Real> roots_of(Real a, Real b, Real c, Real discriminant) {
+inline Roots<Real> roots_of(const Quadratic<Real>& equation) {
+  const auto& [a, b, c, discriminant] = equation;
   const Real root = square_root(larger(discriminant, Real(0)));
   const Real q = b < Real(0) ? root - b : -b - root;
   if (q == Real(0)) return {Real(0), Real(0)};

@@ -19,42 +19,62 @@ struct Sphere {
   Real radius;
 };
 
+template <class Real>
+inline DoubleWord<Real> two_sphere_power(Vec3<Real> o, Real radius) {
+  return two_dot(o, o) - two_square(radius);
+}
+
 // |o|^2 - radius^2.
 template <class Real>
 inline Real sphere_power(Vec3<Real> o, Real radius) {
   const Real squares = dot(o, o), radius_squared = radius * radius;
   const Real power_of_point = squares - radius_squared;
   if (!has_cancelled(power_of_point, squares + radius_squared)) return power_of_point;
-  return (two_square(o.x) + two_square(o.y) + two_square(o.z) - two_square(radius)).hi;
+  return two_sphere_power(o, radius).hi;
 }
 
+// For a ray that grazes, or runs along the ground of a large sphere.
 template <class Real>
-inline Real sphere_discriminant(Vec3<Real> o, Vec3<Real> d, Real radius) {
-  const Vec3<Real> moment = cross(o, d);
-  const Real reach = radius * radius * dot(d, d), distance = dot(moment, moment);
-  const Real discriminant = reach - distance;
-  if (!has_cancelled(discriminant, reach + distance)) return discriminant;
-  const DoubleWord<Real> d_squared = two_square(d.x) + two_square(d.y) + two_square(d.z);
+inline Quadratic<Real> two_word_equation(Vec3<Real> o, Vec3<Real> d, Real radius) {
+  const DoubleWord<Real> a = two_dot(d, d), b = two_dot(o, d), c = two_sphere_power(o, radius);
+  const DoubleWord<Real> reach = two_square(radius) * a;
+  // Near the surface, b^2 and a c are the smaller terms of the two ways to write the same number.
+  if (fused_multiply_add(b.hi, b.hi, absolute(a.hi * c.hi)) < reach.hi) {
+    return {a.hi, b.hi, c.hi, (squared(b) - a * c).hi};
+  }
   const DoubleWord<Real> moment_squared = squared(two_minor(o.y, d.z, o.z, d.y)) +
                                           squared(two_minor(o.z, d.x, o.x, d.z)) +
                                           squared(two_minor(o.x, d.y, o.y, d.x));
-  return (two_square(radius) * d_squared - moment_squared).hi;
+  return {a.hi, b.hi, c.hi, (reach - moment_squared).hi};
+}
+
+template <class Real>
+inline Quadratic<Real> sphere_equation(Vec3<Real> o, Vec3<Real> d, Real radius) {
+  const Vec3<Real> moment = cross(o, d);
+  const Real a = dot(d, d), reach = radius * radius * a, distance = dot(moment, moment);
+  const Real discriminant = reach - distance;
+  // Each term has fewer than 8 roundings in it.
+  if (discriminant < -8 * ScalarTraits<Real>::unit_roundoff() * (reach + distance)) {
+    return {a, Real(0), Real(0), discriminant};
+  }
+  if (has_cancelled(discriminant, reach + distance)) return two_word_equation(o, d, radius);
+  return {a, dot_of_any(o, d, dot(o, o), a), sphere_power(o, radius), discriminant};
 }
 
 template <class Real>
 inline Crossings<Real> crossings(const Sphere<Real>& sphere, const Ray<Real>& ray, Departure from) {
   const Vec3<Real> o = ray.origin - sphere.center, d = ray.direction;
-  const Real a = dot(d, d), b = dot(o, d);
   Span<Real> span;
   if (from.from_surface()) {
     // One root is 0, so the other is minus the sum of both.
+    const Real b = dot(o, d);
     if (!goes_below(from, b)) return {};
-    span.cut(Real(0), 0, Real(-2) * b / a, 0);
+    span.cut(Real(0), 0, Real(-2) * b / dot(d, d), 0);
     return exit_of(span);
   }
-  const Real discriminant = sphere_discriminant(o, d, sphere.radius);
-  if (discriminant < Real(0)) return {};
-  const Roots<Real> roots = roots_of(a, b, sphere_power(o, sphere.radius), discriminant);
+  const Quadratic<Real> equation = sphere_equation(o, d, sphere.radius);
+  if (equation.discriminant < Real(0)) return {};
+  const Roots<Real> roots = roots_of(equation);
   span.cut(roots.near, 0, roots.far, 0);
   return ends_of(span);
 }
