@@ -1,0 +1,104 @@
+// tests/hard/kernels: kernels in float and double beside the same kernels in Quad, on the very same
+// numbers.
+#pragma once
+
+#include "hard/figure.h"
+#include "unit/render/shape/support.h"
+
+namespace alhazen::hard {
+
+using render::Crossing;
+using render::Crossings;
+using render::Departure;
+using render::Dice;
+using render::Ray;
+using render::Side;
+
+template <class Real>
+constexpr const char* kScalar = sizeof(Real) == sizeof(float) ? "float" : "double";
+
+// One rounding of the type: 2^-53 or 2^-24.
+template <class Real>
+constexpr double kEps = static_cast<double>(ScalarTraits<Real>::unit_roundoff());
+
+// A figure of this scalar type. `float_lacks` says why float cannot hold the bound, if it cannot.
+template <class Real>
+void figure_in(std::string_view id, std::string_view what, double measured, double bound,
+               std::string_view unit = "", std::string_view float_lacks = "") {
+  if (sizeof(Real) == sizeof(float) && !float_lacks.empty()) {
+    figure_beyond(id, kScalar<Real>, what, measured, bound, unit, float_lacks);
+  } else {
+    figure(id, kScalar<Real>, what, measured, bound, unit);
+  }
+}
+
+template <class Real>
+Ray<Real> ray_of(Vec3d origin, Vec3d direction) {
+  return {Vec3<Real>(origin), Vec3<Real>(direction)};
+}
+
+// A unit vector perpendicular to d, at random.
+inline Vec3d aside_of(Vec3d d, Dice& dice) {
+  return normalized(cross(d, dice.direction()));
+}
+
+#if ALHAZEN_HAS_QUAD
+template <class Real>
+Ray<Quad> exact(const Ray<Real>& ray) {
+  return {Vec3<Quad>(ray.origin), Vec3<Quad>(ray.direction)};
+}
+
+// |got - truth| / |truth| in roundings of Real.
+template <class Real>
+double relative_error(Real got, Quad truth) {
+  const Quad error = absolute(static_cast<Quad>(got) - truth);
+  if (error == 0) return 0;
+  return static_cast<double>(error / absolute(truth)) / kEps<Real>;
+}
+
+// How much an error of one rounding in the largest of the numbers that place the ray's origin and
+// the shape (`extent`, a length) moves t, relative to t: the origin's part over the distance
+// travelled, and 1 / |cos| of the angle of incidence. At least 1.
+template <class Kernel>
+double condition(const Kernel& shape, const Ray<Quad>& ray, const Crossing<Quad>& crossing,
+                 double extent) {
+  const Vec3<Quad> n = render::surface<false>(shape, ray, crossing).normal;
+  const double speed = static_cast<double>(length(ray.direction));
+  const double cosine = static_cast<double>(absolute(dot(n, ray.direction))) / speed;
+  const double distance = static_cast<double>(crossing.t) * speed;
+  return (extent + distance) / (distance * cosine);
+}
+
+// Many rays, each answered by a kernel and by the oracle.
+template <class Real>
+struct Verdict {
+  std::size_t compared = 0, miscounted = 0;  // rays; those whose crossings differ in number
+  double worst = 0;                          // relative error of t in eps
+  double worst_conditioned = 0;              // the same over the condition of its crossing
+
+  // `is_decided()`: whether the oracle's count is far enough from another to be demanded; asked
+  // only when the counts differ.
+  template <class Shape, class Oracle, class Decided>
+  void compare(const Shape& shape, const Oracle& oracle, const Ray<Real>& ray,
+               const Decided& is_decided, double extent) {
+    ++compared;
+    const Crossings<Real> got = crossings(shape, ray, Departure());
+    const Ray<Quad> same = exact(ray);
+    const Crossings<Quad> truth = crossings(oracle, same, Departure());
+    if (got.size() != truth.size()) {
+      if (is_decided()) ++miscounted;
+      return;
+    }
+    for (int i = 0; i < got.size(); ++i) {
+      const double error = relative_error(got[i].t, truth[i].t);
+      worst = larger(worst, error);
+      if (truth[i].t > Quad(0)) {
+        const double kappa = condition(oracle, same, truth[i], extent);
+        worst_conditioned = larger(worst_conditioned, error / kappa);
+      }
+    }
+  }
+};
+#endif
+
+}  // namespace alhazen::hard
