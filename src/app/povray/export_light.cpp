@@ -80,7 +80,9 @@ class LightExport {
     out().line(pov_vector(position) + ", " + color);
   }
   void end() {
-    if (!light_.casts_shadows) {
+    if (std::holds_alternative<SpotLight>(light_.source) && !light_.casts_shadows) {
+      exporter_.deviate(DeviationKind::shadowless_spot, light_.span);
+    } else if (!light_.casts_shadows) {
       out().line("shadowless");
       if (exporter_.effects.has(Effect::highlights)) {
         exporter_.deviate(DeviationKind::shadowless_highlight, light_.span);

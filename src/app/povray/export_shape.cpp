@@ -21,6 +21,13 @@ std::string corners(const Triangle& t) {
                      pov_vector((*t.normals)[2]));
 }
 
+// Whether light bends or fades inside of what wears the material.
+bool has_inside(const Material& material) {
+  const auto* finish = std::get_if<PovFinish>(&material.scattering);
+  return std::holds_alternative<Glass>(material.scattering) ||
+         (finish != nullptr && opacity(*finish) < 1 && (finish->ior != 1 || fades(*finish)));
+}
+
 // "sphere {" and the numbers that make it.
 struct ShapeText {
   std::string head, numbers;
@@ -113,6 +120,7 @@ class ShapesExport {
   void write(std::size_t begin, std::size_t end) {
     const Shape& shape = exporter_.scene.shapes[begin];
     const ShapeText text = shape_text(shape.geometry);
+    say_what_differs(begin, end);
     out().comment(origin_of(exporter_, shape.span, shape.name));
     out().open(text.head);
     out().line(text.numbers);
@@ -127,6 +135,21 @@ class ShapesExport {
     if (shape.light != kNoId) no_shadow(shape);
     if (shape.world_from_object) out().line(pov_matrix(*shape.world_from_object));
     out().close();
+  }
+
+  void say_what_differs(std::size_t begin, std::size_t end) {
+    const Shape& shape = exporter_.scene.shapes[begin];
+    if (has_inside(exporter_.scene.materials[shape.material]) && !is_closed(shape.geometry) &&
+        !std::holds_alternative<Triangle>(shape.geometry)) {
+      exporter_.deviate(DeviationKind::open_solid, shape.span);
+    }
+    // Smooth triangles come by the thousand: the first of a mesh stands for all.
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto* triangle = std::get_if<Triangle>(&exporter_.scene.shapes[i].geometry);
+      if (triangle == nullptr || !triangle->normals) continue;
+      exporter_.deviate(DeviationKind::smooth_normals, exporter_.scene.shapes[i].span);
+      break;
+    }
   }
 
   // Before the shape's own matrix, which then moves the texture along.

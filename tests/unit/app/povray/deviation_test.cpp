@@ -68,6 +68,12 @@ const std::vector<Case>& cases() {
        "light point { position <5, 5, -5>  shadows false }\n" + kPlain +
            ball("pov_finish { phong 0.5 }"),
        {highlight}},
+      {shadowless_spot,
+       "light spot { position <0, 5, 0>  look_at <0, 0, 0>  shadows false }\n" + kPlain,
+       "light spot",
+       "light spot { position <0, 5, 0>  look_at <0, 0, 0> }\n"
+       "light point { position <5, 5, -5>  shadows false }\n" +
+           kPlain},
       {wide_spot,
        "light spot { position <0, 5, 0>  look_at <0, 0, 0>  outer_angle 90deg }\n" + kPlain,
        "light spot",
@@ -95,6 +101,11 @@ const std::vector<Case>& cases() {
        ball("glass { absorption rgb(0) }")},
       {nested_glass, ball("glass { ior 1.5 }") + ball("glass { ior 1.2 }"), "sphere",
        ball("glass { ior 1.5 }") + "sphere { center <2.5, 0, 0>  material glass { ior 1.2 } }"},
+      {smooth_normals, "triangle { a x  b y  c z  normals [x, y, z]  material diffuse { } }",
+       "triangle", "triangle { a x  b y  c z  material diffuse { } }"},
+      {open_solid, quad("pov_finish { transmit 0.5  ior 1.5 }"), "quad",
+       quad("pov_finish { transmit 0.5 }") + quad("pov_finish { ior 1.5 }") +
+           ball("pov_finish { transmit 0.5  ior 1.5 }")},
   };
   return kCases;
 }
