@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/base/overloaded.h"
 
@@ -90,6 +91,7 @@ struct Solid {
   Bounds bounds;
   MaterialId material;
   SourceSpan span;
+  bool found = false;
 };
 
 }  // namespace
@@ -105,9 +107,11 @@ std::vector<SourceSpan> solids_within_solids(const Scene& scene) {
   std::vector<SourceSpan> found;
   for (auto a = solids.begin(); a != solids.end(); ++a) {
     for (auto b = a + 1; b != solids.end() && b->bounds.low.x <= a->bounds.high.x; ++b) {
-      if (a->material == b->material || !overlap(a->bounds, b->bounds)) continue;
-      for (const SourceSpan span : {a->span, b->span}) {
-        if (std::ranges::find(found, span) == found.end()) found.push_back(span);
+      if ((a->found && b->found) || a->material == b->material || !overlap(a->bounds, b->bounds))
+        continue;
+      for (Solid* solid : {&*a, &*b}) {
+        if (std::exchange(solid->found, true)) continue;
+        if (std::ranges::find(found, solid->span) == found.end()) found.push_back(solid->span);
       }
     }
   }
