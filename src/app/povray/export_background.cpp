@@ -6,17 +6,14 @@ namespace alhazen {
 namespace {
 
 void gradient(PovWriter& out, const GradientBackground& background) {
-  const double first = background.stops.front().position, last = background.stops.back().position;
-  const double span = last > first ? last - first : 1;
+  const GradientScale scale(background.stops);
   out.open("sky_sphere");
   out.open("pigment");
   // y of a unit direction is the sine of its elevation.
-  out.line(fmt::format("function {{ min(1, max(0, (y - {})/{})) }}", pov_number(first),
-                       pov_number(span)));
+  out.line(scale.function("y"));
   out.open("color_map");
   for (const GradientStop& stop : background.stops) {
-    out.line(fmt::format("[{} color {}]", pov_number((stop.position - first) / span),
-                         pov_color(stop.color)));
+    out.line(fmt::format("[{} color {}]", scale.place(stop), pov_color(stop.color)));
   }
   out.close();
   out.close();

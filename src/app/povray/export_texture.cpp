@@ -153,14 +153,11 @@ class TextureExport {
   }
 
   void gradient(const GradientPattern& p, const Coordinates& at) {
-    const double first = p.stops.front().position, last = p.stops.back().position;
-    out().line(fmt::format("function {{ min(1, max(0, ({} - {})/{})) }}",
-                           at.functions ? (*at.functions)[0] : "x", pov_number(first),
-                           pov_number(last > first ? last - first : 1)));
+    const GradientScale scale(p.stops);
+    out().line(scale.function(at.functions ? (*at.functions)[0] : "x"));
     out().open(fmt::format("{}_map", leaf_.block()));
     for (const GradientStop& stop : p.stops) {
-      out().line(fmt::format(
-          "[{}", pov_number(last > first ? (stop.position - first) / (last - first) : 0)));
+      out().line("[" + scale.place(stop));
       leaf_.color(exporter_, stop.color);
       out().line("]");
     }
@@ -184,6 +181,22 @@ class TextureExport {
 };
 
 }  // namespace
+
+GradientScale::GradientScale(const std::vector<GradientStop>& stops) {
+  const double first = stops.front().position, last = stops.back().position;
+  const double span = last > first ? last - first : 1;
+  low_ = first - span / 2;
+  width_ = 2 * span;
+}
+
+std::string GradientScale::place(const GradientStop& stop) const {
+  return pov_number((stop.position - low_) / width_);
+}
+
+std::string GradientScale::function(const std::string& x) const {
+  return fmt::format("function {{ min(1, max(0, ({} - {})/{})) }}", x, pov_number(low_),
+                     pov_number(width_));
+}
 
 void export_texture(Exporter& exporter, TextureId id, const SurfaceFrame& frame,
                     const LeafWriter& leaf) {

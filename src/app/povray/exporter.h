@@ -50,6 +50,20 @@ void export_material(Exporter& exporter, const Material& material, const Surface
 // Whether the material looks the same in the object frame of every shape.
 bool is_shareable(const Exporter& exporter, const Material& material);
 
+// POV-Ray's maps go from 0 to 1. The stops of a gradient go into the middle half of it: several may
+// stand at its first or last place, and POV-Ray sees only what lies beyond them as beyond.
+class GradientScale {
+ public:
+  explicit GradientScale(const std::vector<GradientStop>& stops);
+  // The place of a stop, as a number.
+  std::string place(const GradientStop& stop) const;
+  // That of the expression `x`, as a pattern.
+  std::string function(const std::string& x) const;
+
+ private:
+  double low_, width_;
+};
+
 // What a pattern is made of where it is a single colour: writes whole blocks.
 class LeafWriter {
  public:
