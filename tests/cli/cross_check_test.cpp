@@ -200,6 +200,12 @@ TEST_F(CrossCheck, ASignalEndsItAndLeavesNothing) {
   }
 }
 
+TEST_F(CrossCheck, AParentThatIgnoresItsChildrenIsNoObstacle) {
+  EXPECT_TRUE(run_shell(folder_, fmt::format("trap '' CHLD; '{}' cross-check s.scn --povray "
+                                             "./povray-same 2> log || {{ cat log; false; }}",
+                                             ALHAZEN_PROGRAM)));
+}
+
 TEST_F(CrossCheck, NoPlaceForTemporaryFilesIsSaid) {
   ::setenv("TMPDIR", path("none").c_str(), 1);
   const Outcome outcome = check({"s.scn"});

@@ -39,6 +39,8 @@ void wait_for_interrupts() {
 }  // namespace
 
 void catch_interrupts() {
+  // Ignored by whoever started us, the ends of our own children would go unseen.
+  std::signal(SIGCHLD, SIG_DFL);
   // Threads inherit the mask: the signals reach the waiting thread and no other.
   const sigset_t set = interrupt_signals();
   ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
