@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/povray/exporter.h"
+#include "app/povray/reach.h"
 #include "core/base/overloaded.h"
 
 namespace alhazen {
@@ -10,8 +11,6 @@ namespace {
 // POV-Ray's fade is 2 / (1 + (d / distance)^2). With a distance far below every d that is seen it
 // is the inverse square to (distance / d)^2, relative.
 constexpr double kFadeDistance = 1e-4;
-// Where lights stand that come from infinitely far: well within POV-Ray's farthest 1e7.
-constexpr double kFarAway = 1e5;
 constexpr double kWidestSpotDeg = 89.9;
 // A power of two, for which POV-Ray weighs all points of the grid alike.
 constexpr int kGrid = 16;

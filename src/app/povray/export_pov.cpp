@@ -4,6 +4,7 @@
 
 #include "app/povray/exporter.h"
 #include "app/povray/nesting.h"
+#include "app/povray/reach.h"
 #include "render/image/exr_write.h"
 
 namespace alhazen {
@@ -157,6 +158,8 @@ Result<PovExport> export_pov(const Scene& scene, const SourceManager& sources,
   for (const SourceSpan span : solids_within_solids(scene)) {
     exporter.deviate(DeviationKind::nested_glass, span);
   }
+  for (const SourceSpan span : shapes_out_of_reach(scene))
+    exporter.deviate(DeviationKind::reach, span);
   Result<std::vector<PovFile>> files = picture_files(exporter);
   if (!files) return files.error();
   return PovExport{heading(exporter) + exporter.out.text(), std::move(exporter.deviations),

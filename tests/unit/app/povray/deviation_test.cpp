@@ -106,6 +106,9 @@ const std::vector<Case>& cases() {
       {open_solid, quad("pov_finish { transmit 0.5  ior 1.5 }"), "quad",
        quad("pov_finish { transmit 0.5 }") + quad("pov_finish { ior 1.5 }") +
            ball("pov_finish { transmit 0.5  ior 1.5 }")},
+      {reach, "sphere { center z*2e7  radius 1e6  material diffuse { } }\n", "sphere",
+       "sphere { center z*8e6  radius 1e6  material diffuse { } }\n"
+       "plane { offset -1e9  material diffuse { } }\n"},
   };
   return kCases;
 }
@@ -156,6 +159,23 @@ TEST(Deviations, NoneIsReportedForASceneThatOnlyLooksLikeIt) {
     const PovExport exported = read_scene(c.near_miss).exported();
     EXPECT_THAT(kinds_of(exported), testing::Not(testing::Contains(c.kind)));
   }
+}
+
+// Parallel light is written as coming from 10^5 away, and what is beyond casts no shadow.
+TEST(Deviations, ReachIsOfShadowsAndSmallThingsToo) {
+  const std::string sun = "light directional { direction <0, -1, 0> }\n";
+  const std::string high = "sphere { center y*2e5  material diffuse { } }\n";
+  EXPECT_EQ(names(kinds_of(read_scene(sun + high).exported())), "reach ");
+  EXPECT_EQ(names(kinds_of(read_scene(high).exported())), "");
+  EXPECT_EQ(names(kinds_of(read_scene(sun + ball("diffuse { }")).exported())), "");
+  const auto sized = [](const char* size) {
+    return names(kinds_of(
+        read_scene(std::string("sphere { ") + size + "  material diffuse { } }\n").exported()));
+  };
+  EXPECT_EQ(sized("radius 1e-3"), "");
+  EXPECT_EQ(sized("radius 1e-4"), "reach ");
+  EXPECT_EQ(sized("radius 1e-5  scale 1e5"), "reach ");
+  EXPECT_EQ(sized("scale 1e-5"), "reach ");
 }
 
 TEST(Deviations, OnceForEachLine) {
