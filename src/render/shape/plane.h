@@ -1,12 +1,14 @@
 // render/shape: the plane dot(normal, p) = offset. One face, 0, which encloses the half-space
 // below.
 //
-// t = (offset - n.o) / n.d: relative error of a few eps of |n.o|+|offset| over their difference, at
-// any grazing angle, and no farthest distance. u and v are affine coordinates in the plane, one
-// unit of length in the object frame each, unbounded.
+// t = (offset - n.o) / n.d. Either may cancel, of an origin near the plane and of a ray along it;
+// then it is summed in two words (quadratic.h), and t is right to a few eps at any angle and any
+// distance. u and v are affine coordinates in the plane, one unit of length in the object frame
+// each, unbounded.
 #pragma once
 
 #include "render/shape/crossing.h"
+#include "render/shape/quadratic.h"
 
 namespace alhazen::render {
 
@@ -19,12 +21,23 @@ struct Plane {
   Real u_offset, v_offset;
 };
 
+// offset - dot(normal, p): how far below the plane a point is.
+template <class Real>
+inline Real depth_below(const Plane<Real>& plane, Vec3<Real> p) {
+  const Vec3<Real> n = plane.normal;
+  const Real depth = plane.offset - dot(n, p);
+  const Real terms =
+      absolute(plane.offset) + absolute(n.x * p.x) + absolute(n.y * p.y) + absolute(n.z * p.z);
+  return has_cancelled(depth, 2 * terms) ? (-two_dot(n, p) + plane.offset).hi : depth;
+}
+
 template <class Real>
 inline Crossings<Real> crossings(const Plane<Real>& plane, const Ray<Real>& ray, Departure from) {
   Crossings<Real> result;
-  const Real along = dot(plane.normal, ray.direction);
-  if (from.from_surface() || along == Real(0)) return result;
-  result.add((plane.offset - dot(plane.normal, ray.origin)) / along, 0, along < Real(0));
+  if (from.from_surface()) return result;
+  const Real along = sharp_dot(plane.normal, ray.direction);
+  if (along == Real(0)) return result;
+  result.add(depth_below(plane, ray.origin) / along, 0, along < Real(0));
   return result;
 }
 

@@ -38,11 +38,14 @@ inline DoubleWord<Real> two_dot(Vec3<Real> a, Vec3<Real> b) {
   return two_product(a.x, b.x) + two_product(a.y, b.y) + two_product(a.z, b.z);
 }
 
-// dot(o, d), which decides how far a ray along the ground of a large surface goes.
+// dot(a, b), to few roundings also where its terms cancel: the speed at which a ray nears a surface
+// that it grazes.
 template <class Real>
-inline Real dot_of_any(Vec3<Real> o, Vec3<Real> d, Real o_squared, Real d_squared) {
-  const Real sum = dot(o, d), sharp = Real(kLargestCancellation) * sum;
-  return sharp * sharp < o_squared * d_squared ? two_dot(o, d).hi : sum;
+inline Real sharp_dot(Vec3<Real> a, Vec3<Real> b) {
+  const Real sum = dot(a, b);
+  const Real terms = absolute(a.x * b.x) + absolute(a.y * b.y) + absolute(a.z * b.z);
+  // Half the usual loss: this error goes into t whole, not by its square root.
+  return has_cancelled(sum, 2 * terms) ? two_dot(a, b).hi : sum;
 }
 
 // a t^2 + 2 b t + c and its discriminant b^2 - a c. The others are 0 where the discriminant is

@@ -58,7 +58,7 @@ inline Quadratic<Real> sphere_equation(Vec3<Real> o, Vec3<Real> d, Real radius) 
     return {a, Real(0), Real(0), discriminant};
   }
   if (has_cancelled(discriminant, reach + distance)) return two_word_equation(o, d, radius);
-  return {a, dot_of_any(o, d, dot(o, o), a), sphere_power(o, radius), discriminant};
+  return {a, sharp_dot(o, d), sphere_power(o, radius), discriminant};
 }
 
 template <class Real>
