@@ -12,6 +12,7 @@
 #include <array>
 
 #include "render/shape/crossing.h"
+#include "render/shape/quadratic.h"
 
 namespace alhazen::render {
 
@@ -20,10 +21,10 @@ template <class Real>
 struct ShearedRay {
   int x, y, z;
   Real shear_x, shear_y, scale_z;
-  Vec3<Real> origin;
+  Vec3<Real> origin, direction;
 
-  explicit ShearedRay(const Ray<Real>& ray) : origin(ray.origin) {
-    const Vec3<Real> d = ray.direction;
+  explicit ShearedRay(const Ray<Real>& ray) : origin(ray.origin), direction(ray.direction) {
+    const Vec3<Real> d = direction;
     const Real ax = absolute(d.x), ay = absolute(d.y), az = absolute(d.z);
     z = ax > ay ? (ax > az ? 0 : 2) : (ay > az ? 1 : 2);
     x = (z + 1) % 3;
@@ -73,7 +74,12 @@ inline TriangleHit<Real> hit_sheared(const ShearedRay<Real>& ray,
   TriangleHit<Real> result;
   if ((u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero)) return result;
   const Real sum = u + v + w;
-  if (sum == zero) return result;  // seen edge-on, or no area
+  // No area, or seen edge-on. The first test sees it where the shear has made a line of the
+  // triangle, the second where rounding has given width to the line.
+  if (sum == zero ||
+      sharp_dot(cross(corners[1] - corners[0], corners[2] - corners[0]), ray.direction) == zero) {
+    return result;
+  }
   result.weights = {u / sum, v / sum, w / sum};
   const Real z = fused_multiply_add(
       result.weights[0], a.z, fused_multiply_add(result.weights[1], b.z, result.weights[2] * c.z));
