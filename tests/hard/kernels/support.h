@@ -42,6 +42,17 @@ inline Vec3d aside_of(Vec3d d, Dice& dice) {
   return normalized(cross(d, dice.direction()));
 }
 
+// How much an error of one rounding in the largest of the numbers that place the ray's origin and
+// the shape (`extent`, a length) moves t, relative to t: the origin's part over the distance
+// travelled, and 1 / |cos| of the angle of incidence on the normal n. At least 1.
+template <class Real>
+double condition(Vec3<Real> n, Vec3<Real> direction, Real t, double extent) {
+  const double speed = static_cast<double>(length(direction));
+  const double cosine = static_cast<double>(absolute(dot(n, direction))) / speed;
+  const double distance = static_cast<double>(t) * speed;
+  return (extent + distance) / (distance * cosine);
+}
+
 #if ALHAZEN_HAS_QUAD
 template <class Real>
 Ray<Quad> exact(const Ray<Real>& ray) {
@@ -56,17 +67,11 @@ double relative_error(Real got, Quad truth) {
   return static_cast<double>(error / absolute(truth)) / kEps<Real>;
 }
 
-// How much an error of one rounding in the largest of the numbers that place the ray's origin and
-// the shape (`extent`, a length) moves t, relative to t: the origin's part over the distance
-// travelled, and 1 / |cos| of the angle of incidence. At least 1.
 template <class Kernel>
 double condition(const Kernel& shape, const Ray<Quad>& ray, const Crossing<Quad>& crossing,
                  double extent) {
   const Vec3<Quad> n = render::surface<false>(shape, ray, crossing).normal;
-  const double speed = static_cast<double>(length(ray.direction));
-  const double cosine = static_cast<double>(absolute(dot(n, ray.direction))) / speed;
-  const double distance = static_cast<double>(crossing.t) * speed;
-  return (extent + distance) / (distance * cosine);
+  return condition(n, ray.direction, crossing.t, extent);
 }
 
 // Many rays, each answered by a kernel and by the oracle.
