@@ -79,7 +79,7 @@ void cylinders(bool slanted) {
   Verdict<Real> across, along, inside;
   Dice dice(90);
   const double reach = sizeof(Real) == sizeof(float) ? 1e4 : 1e8;
-  for (std::size_t i = 0; i < rays(2000); ++i) {
+  for (std::size_t i = 0; i < rays(1000); ++i) {
     const Vec3d axis = slanted ? dice.direction() : Vec3d{0, 1, 0};
     const Vec3d out = aside_of(axis, dice), around = cross(axis, out);
     const Cylinder tube{-0.5 * reach * axis, 0.5 * reach * axis, 1, i % 2 == 0};
@@ -167,7 +167,7 @@ template <class Real>
 void cones(bool slanted) {
   Verdict<Real> tip, generator, anywhere;
   Dice dice(100);
-  for (std::size_t i = 0; i < rays(2000); ++i) {
+  for (std::size_t i = 0; i < rays(1000); ++i) {
     const Vec3d axis = slanted ? dice.direction() : Vec3d{0, 1, 0};
     const Vec3d out = aside_of(axis, dice);
     const double wide = dice.uniform(0.2, 2), high = dice.uniform(0.3, 3);
@@ -199,7 +199,7 @@ void cylinder_in_the_limit() {
   Frustum<Real> cone = tube;
   cone.small_radius = Real(1) - Real(kEps<Real>);
   cone.slope = (cone.large_radius - cone.small_radius) / cone.height;
-  for (std::size_t i = 0; i < rays(20000); ++i) {
+  for (std::size_t i = 0; i < rays(5000); ++i) {
     const Vec3d d = dice.direction(), middle{0, 2, 0};
     const Ray<Real> ray =
         ray_of<Real>(middle + dice.uniform(0, 0.99) * aside_of(d, dice) - 5.0 * d, d);

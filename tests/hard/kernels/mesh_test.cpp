@@ -149,7 +149,7 @@ void needles() {
   double from_outline = 0, out_of_range = 0;
   std::size_t met = 0;
   Dice dice(131);
-  for (std::size_t i = 0; i < rays(20000); ++i) {
+  for (std::size_t i = 0; i < rays(8000); ++i) {
     const double size = std::ldexp(1.0, dice.below(21) - 10);
     const double width = std::ldexp(1.0, -dice.below(41)), lift = std::ldexp(1.0, -dice.below(41));
     const Vec3d a = dice.in_cube(2), along = size * dice.direction(), aside = aside_of(along, dice);
@@ -184,7 +184,7 @@ void needles() {
     const Real outside = larger(Real(0), larger(low - got[0].t, got[0].t - high));
     out_of_range = larger(out_of_range, static_cast<double>(outside / high) / kEps<Real>);
   }
-  EXPECT_GT(met, rays(5000));
+  EXPECT_GT(met, rays(2000));
   // A corner is rounded when it is seen from the origin, when it is sheared and by the shear: by 3
   // eps of its size in each of two coordinates.
   figure_in<Real>("A13", "distance from the outline of needles wrongly met or missed", from_outline,
