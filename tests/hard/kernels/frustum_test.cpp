@@ -31,9 +31,8 @@ bool is_decided(const Frustum<Quad>& shape, const Ray<Real>& ray, double extent)
     Frustum<Quad> other = shape;
     other.small_radius = larger(Quad(0), shape.small_radius + by);
     other.large_radius = larger(Quad(0), shape.large_radius + by);
-    other.height += by;
+    other.height += 2 * by;
     other.frame.origin = shape.frame.origin - by * shape.frame.z;
-    other.height += by;
     return crossings(other, exact(ray), Departure()).size();
   };
   return count(rounding) == count(-rounding);
