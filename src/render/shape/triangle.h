@@ -63,6 +63,11 @@ inline Real edge_function(Vec3<Real> p, Vec3<Real> q) {
 }
 
 template <class Real>
+inline Real manhattan(Vec3<Real> a) {
+  return absolute(a.x) + absolute(a.y) + absolute(a.z);
+}
+
+template <class Real>
 inline TriangleHit<Real> hit_sheared(const ShearedRay<Real>& ray,
                                      const std::array<Vec3<Real>, 3>& corners) {
   const Vec3<Real> a = ray.sheared(corners[0]), b = ray.sheared(corners[1]),
@@ -74,9 +79,11 @@ inline TriangleHit<Real> hit_sheared(const ShearedRay<Real>& ray,
   TriangleHit<Real> result;
   if ((u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero)) return result;
   const Real sum = u + v + w;
-  // No area, or seen edge-on. The first test sees it where the shear has made a line of the
-  // triangle, the second where rounding has given width to the line.
-  if (sum == zero ||
+  // No area, or seen edge-on: where the shear has made a line of the triangle, and where rounding
+  // has given width to that line. Only a sum within its own rounding can be such a one.
+  if (sum == zero) return result;
+  const Real reach = manhattan(a) + manhattan(b) + manhattan(c);
+  if (absolute(sum) < 16 * ScalarTraits<Real>::unit_roundoff() * reach * reach &&
       sharp_dot(cross(corners[1] - corners[0], corners[2] - corners[0]), ray.direction) == zero) {
     return result;
   }
