@@ -127,7 +127,8 @@ class CrossCheckRun {
     return check_overwrites(outputs, inputs);
   }
 
-  static std::optional<fs::path> by_hand(const std::string& path) {
+  std::optional<fs::path> by_hand(const std::string& path) const {
+    if (request_.exported_only) return std::nullopt;
     const fs::path file = fs::path(path).replace_extension(".pov");
     std::error_code ignored;
     return fs::exists(file, ignored) ? std::optional(file) : std::nullopt;
@@ -143,11 +144,23 @@ class CrossCheckRun {
       if (!text) return text.error();
       auto parsed = parse_allowances(text.value(), file.string());
       if (!parsed) return parsed.error();
+      if (Status known = check_names(parsed.value(), file); !known) return known;
       allowances_.emplace(file, std::move(parsed).value());
     }
     const Allowances& all = allowances_.at(file);
     const auto found = all.find(fs::path(path).filename().string());
     if (found != all.end()) checked.allowance = found->second;
+    return Unit{};
+  }
+
+  // A misspelt name would leave its scene without its tolerance, or hide that the scene is gone.
+  static Status check_names(const Allowances& allowances, const fs::path& file) {
+    std::error_code ignored;
+    for (const auto& [scene, allowance] : allowances) {
+      if (fs::exists(file.parent_path() / scene, ignored)) continue;
+      return Error{ErrorCode::usage,
+                   fmt::format("{}: there is no scene `{}` beside it", file.string(), scene)};
+    }
     return Unit{};
   }
 
@@ -158,6 +171,9 @@ class CrossCheckRun {
                                result_name(w.verdict), check.name, w.name, w.verdict.sentence,
                                1000 * check.our_seconds, 1000 * w.run.wall_seconds));
     }
+    if (check.passes()) return;
+    for (const std::string& deviation : check.deviation_texts)
+      write_stderr(fmt::format("  note: {}\n", deviation));
   }
 
   ExitCode finish() {
@@ -173,8 +189,11 @@ class CrossCheckRun {
       compared += outcome.check ? 1 : 0;
       different += outcome.check && !outcome.check.value().passes() ? 1 : 0;
     }
-    write_stderr(
-        fmt::format("{} of {} scenes are the same\n", compared - different, outcomes_.size()));
+    std::string sum = fmt::format("{} of {} scenes are the same", compared - different, compared);
+    if (compared < outcomes_.size()) {
+      sum += fmt::format("; {} could not be compared", outcomes_.size() - compared);
+    }
+    write_stderr(sum + "\n");
     if (worst_ != ExitCode::done) return worst_;
     return different > 0 ? ExitCode::different : ExitCode::done;
   }

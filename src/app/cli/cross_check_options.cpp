@@ -43,6 +43,9 @@ std::optional<ExitCode> read_cross_check_options(const Arguments& arguments,
             "let the scenes read files outside of the folders they stand in");
   line.text_option("--ocio", "FILE", request.common.color_file,
                    "OpenColorIO configuration [$OCIO, or else a built-in one]");
+  line.flag(
+      "--exported-only", request.exported_only,
+      "leave .pov files that stand beside scenes alone: they are programs, which POV-Ray runs");
   line.flag("--json", request.json, "print the figures as JSON on stdout");
   return line.read(arguments);
 }

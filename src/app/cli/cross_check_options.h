@@ -14,6 +14,7 @@ struct CrossCheckRequest {
   std::optional<PictureSize> size;
   int threads = 1;
   double time_limit_seconds = 600;
+  bool exported_only = false;
   bool json = false;
 };
 

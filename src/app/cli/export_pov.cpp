@@ -41,9 +41,8 @@ Status write_files(const PovExport& exported, const std::filesystem::path& outpu
 bool accepts(const ExportOptions& options, const PovExport& exported,
              const SourceManager& sources) {
   std::string text;
-  for (const Deviation& deviation : exported.deviations) {
-    text += fmt::format("{}: {}\n", options.strict ? "error" : "note",
-                        deviation_text(deviation, sources));
+  for (const std::string& deviation : deviation_texts(exported.deviations, sources)) {
+    text += fmt::format("{}: {}\n", options.strict ? "error" : "note", deviation);
   }
   write_stderr(text);
   return !options.strict || exported.deviations.empty();

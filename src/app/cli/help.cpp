@@ -16,7 +16,7 @@ std::string overview() {
       "\n"
       "Verbs:\n";
   for (const Verb& verb : verbs())
-    text += fmt::format("  {:<10}{}\n", verb.name, verb.summary);
+    text += fmt::format("  {:<13}{}\n", verb.name, verb.summary);
   text +=
       "\n"
       "A first picture:\n"
@@ -27,7 +27,8 @@ std::string overview() {
       "\n"
       "Exit codes: 0 done, 1 the scene is wrong, 2 the command line is wrong, 3 a file could not "
       "be\n"
-      "read or written, 4 a limit was hit, 75 stopped by a signal and to be run again.\n";
+      "read or written, 4 a limit was hit, 5 compared and different, 75 stopped by a\n"
+      "signal and to be run again.\n";
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "app/povray/cutoff.h"
 #include "core/base/file.h"
 #include "core/scene/effect.h"
 #include "render/image/exr_read.h"
@@ -63,6 +64,7 @@ class CrossChecking {
       : checked_(checked), scene_(checked.scene), folder_(folder), run_(run) {
     // A lens needs its samples; everything else is compared at the pixels' centres.
     if (!derive_effects(scene_).has(Effect::depth_of_field)) scene_.settings.samples = 1;
+    if (cutoff_differs(scene_)) scene_.settings.cutoff = 0;
     scene_.settings.adaptive.reset();
     scene_.settings.filter = {};
     scene_.settings.transparent_background = false;
@@ -106,8 +108,7 @@ class CrossChecking {
     const auto exported = export_pov(scene_, checked_.sources, checked_.images, checked_.name);
     if (!exported) return exported.error();
     result_.deviations = exported.value().deviations;
-    for (const Deviation& d : result_.deviations)
-      result_.deviation_texts.push_back(deviation_text(d, checked_.sources));
+    result_.deviation_texts = deviation_texts(result_.deviations, checked_.sources);
     const fs::path file = folder_ / (checked_.name + kPovSuffix);
     for (const PovFile& picture : exported.value().files) {
       const Status written = write_file_atomic(folder_ / picture.name, picture.bytes);
@@ -122,6 +123,8 @@ class CrossChecking {
     if (!checked_.by_hand) return Unit{};
     const auto text = read_file(*checked_.by_hand, kMaxPovBytes);
     if (!text) return text.error();
+    // What was exported beside its scene is no second witness.
+    if (text.value().starts_with(fmt::format("// {}", kPovHeading))) return Unit{};
     return ask("by hand", *checked_.by_hand, text.value(), kByHandSuffix);
   }
 

@@ -1,6 +1,7 @@
 #include "app/povray/deviation.h"
 
 #include <fmt/format.h>
+#include <map>
 
 namespace alhazen {
 namespace {
@@ -11,17 +12,40 @@ constexpr DeviationInfo kInfo[] = {
 #undef ALHAZEN_DEVIATION
 };
 
+constexpr std::size_t kListedLines = 6;
+
+// " (a.scn:3:5, a.scn:9:1 and 4 more)", or "" for nowhere.
+std::string places(const std::vector<SourceSpan>& spans, const SourceManager& sources) {
+  std::string list;
+  for (std::size_t i = 0; i < spans.size() && i < kListedLines; ++i)
+    list += (list.empty() ? "" : ", ") + sources.describe(spans[i]);
+  if (list.empty()) return "";
+  if (spans.size() > kListedLines) list += fmt::format(" and {} more", spans.size() - kListedLines);
+  return " (" + list + ")";
+}
+
 }  // namespace
 
 const DeviationInfo& info(DeviationKind kind) {
   return kInfo[static_cast<std::size_t>(kind)];
 }
 
-std::string deviation_text(const Deviation& deviation, const SourceManager& sources) {
-  const DeviationInfo& about = info(deviation.kind);
-  const std::string place = sources.describe(deviation.span);
-  return fmt::format("{}{}{} is exported as {}; what differs: {}", place, place.empty() ? "" : ": ",
-                     about.said, about.nearest, about.difference);
+std::vector<std::string> deviation_texts(std::span<const Deviation> deviations,
+                                         const SourceManager& sources) {
+  std::vector<DeviationKind> kinds;
+  std::map<DeviationKind, std::vector<SourceSpan>> lines;
+  for (const Deviation& deviation : deviations) {
+    std::vector<SourceSpan>& of_kind = lines[deviation.kind];
+    if (of_kind.empty()) kinds.push_back(deviation.kind);
+    of_kind.push_back(deviation.span);
+  }
+  std::vector<std::string> texts;
+  for (const DeviationKind kind : kinds) {
+    const DeviationInfo& about = info(kind);
+    texts.push_back(fmt::format("{}: POV-Ray gets {}. What differs: {}.{}", about.said,
+                                about.nearest, about.difference, places(lines[kind], sources)));
+  }
+  return texts;
 }
 
 }  // namespace alhazen

@@ -1,6 +1,7 @@
 // app/povray: what POV-Ray cannot say exactly, and what is said instead.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,9 @@ struct Deviation {
   SourceSpan span;  // of the scene's line that says it
 };
 
-// "scene.scn:3:5: a thin lens is exported as ...; expect a difference in ...", one line each.
-std::string deviation_text(const Deviation& deviation, const SourceManager& sources);
+// One text a kind, in the order in which the kinds come first: what the scene says, what POV-Ray
+// gets instead, what differs, and the lines that say it, of which only the first few are listed.
+std::vector<std::string> deviation_texts(std::span<const Deviation> deviations,
+                                         const SourceManager& sources);
 
 }  // namespace alhazen

@@ -114,7 +114,10 @@ class MaterialExport {
     std::visit([this](const auto& m) { scattering(m); }, material_.scattering);
     if (!material_.one_sided_emission || is_black(material_.emission)) return;
     if (!std::holds_alternative<Quad4>(frame_.shape->geometry)) {
-      exporter_.deviate(DeviationKind::one_sided_glow, frame_.shape->span);
+      // Nobody sees the inside of a closed shape.
+      if (!is_closed(frame_.shape->geometry)) {
+        exporter_.deviate(DeviationKind::one_sided_glow, frame_.shape->span);
+      }
       return;
     }
     out().line("interior_texture { pigment { rgb 0 } finish { ambient 0 diffuse 0 } }");
@@ -146,8 +149,7 @@ class MaterialExport {
   }
 
   void scattering(const Diffuse& m) {
-    std::string finish = fmt::format("ambient {} diffuse {}", pov_color(exporter_.ambient),
-                                     pov_number(1 / pi<double>()));
+    std::string finish = fmt::format("ambient {} diffuse 1/pi", pov_color(exporter_.ambient));
     if (!is_black(m.highlight.strength)) {
       exporter_.deviate(DeviationKind::highlight, material_.span);
       finish += highlight(m.highlight);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/povray/cutoff.h"
 #include "app/povray/exporter.h"
 #include "app/povray/nesting.h"
 #include "app/povray/reach.h"
@@ -79,26 +80,45 @@ std::string file_name(std::string_view stem, const Part& part) {
 std::string heading(const Exporter& exporter) {
   const RenderSettings& settings = exporter.scene.settings;
   PovWriter head;
-  head.comment(fmt::format(
-      "An Alhazen scene for POV-Ray 3.7. Colours are scene-linear, in the working space.\n"
-      "povray +I{}.pov +O{}.exr +FE +W{} +H{} -A -J",
-      exporter.stem, exporter.stem, settings.width, settings.height));
+  head.comment(
+      fmt::format("{}\nColours are scene-linear, in the working space.\n"
+                  "povray +I{}.pov +O{}.povray.exr +FE +W{} +H{} -A -J",
+                  kPovHeading, exporter.stem, exporter.stem, settings.width, settings.height));
   if (exporter.deviations.empty()) {
     head.comment("All of it can be said exactly.");
   } else {
     head.comment("The nearest that POV-Ray can say, not the same:");
-    for (const Deviation& d : exporter.deviations)
-      head.comment("  " + deviation_text(d, exporter.sources));
+    for (const std::string& text : deviation_texts(exporter.deviations, exporter.sources))
+      head.comment("- " + text);
   }
   return head.text();
+}
+
+// POV-Ray refuses a longer map.
+constexpr std::size_t kMaxStops = 256;
+
+Status check_gradients(const Scene& scene, const SourceManager& sources) {
+  const auto check = [&](const std::vector<GradientStop>& stops, SourceSpan span) -> Status {
+    if (stops.size() <= kMaxStops) return Unit{};
+    return Error{ErrorCode::limit,
+                 fmt::format("{}: a gradient of {} stops; POV-Ray takes at most {}",
+                             sources.describe(span), stops.size(), kMaxStops)};
+  };
+  for (const Texture& texture : scene.textures) {
+    const auto* gradient = std::get_if<GradientPattern>(&texture.pattern);
+    if (gradient == nullptr) continue;
+    if (Status fits = check(gradient->stops, texture.span); !fits) return fits;
+  }
+  const auto* sky = std::get_if<GradientBackground>(&scene.background.source);
+  return sky == nullptr ? Status(Unit{}) : check(sky->stops, scene.background.span);
 }
 
 }  // namespace
 
 void Exporter::deviate(DeviationKind kind, SourceSpan span) {
-  const bool known = std::ranges::any_of(
-      deviations, [&](const Deviation& d) { return d.kind == kind && d.span == span; });
-  if (!known) deviations.push_back({kind, span});
+  if (known_deviations.insert({kind, span.file, span.begin}).second) {
+    deviations.push_back({kind, span});
+  }
 }
 
 std::string Exporter::image_name(ImageId id) const {
@@ -141,6 +161,7 @@ void export_settings(Exporter& exporter) {
 Result<PovExport> export_pov(const Scene& scene, const SourceManager& sources,
                              const std::vector<render::ImagePixels>& images,
                              const std::string& stem) {
+  if (const Status sayable = check_gradients(scene, sources); !sayable) return sayable.error();
   Exporter exporter{scene,
                     sources,
                     images,
@@ -148,6 +169,7 @@ Result<PovExport> export_pov(const Scene& scene, const SourceManager& sources,
                     derive_effects(scene),
                     solid_colors(scene),
                     sum_of_ambient(scene),
+                    {},
                     {},
                     {}};
   export_settings(exporter);
@@ -160,6 +182,7 @@ Result<PovExport> export_pov(const Scene& scene, const SourceManager& sources,
   }
   for (const SourceSpan span : shapes_out_of_reach(scene))
     exporter.deviate(DeviationKind::reach, span);
+  if (cutoff_differs(scene)) exporter.deviate(DeviationKind::cutoff, scene.settings.span);
   Result<std::vector<PovFile>> files = picture_files(exporter);
   if (!files) return files.error();
   return PovExport{heading(exporter) + exporter.out.text(), std::move(exporter.deviations),

@@ -18,6 +18,9 @@ struct PovFile {
   std::string bytes;
 };
 
+// The first line of every exported text, by which it is known from one that was written by hand.
+inline constexpr std::string_view kPovHeading = "An Alhazen scene for POV-Ray 3.7.";
+
 struct PovExport {
   std::string text;
   std::vector<Deviation> deviations;  // in the order of the text; each kind once for each line

@@ -82,7 +82,8 @@ class ShapesExport {
       const Material& material = exporter_.scene.materials[shape.material];
       if (seen[shape.material] || !is_shareable(exporter_, material)) continue;
       seen[shape.material] = true;
-      out().comment(origin_of(exporter_, material.span, "material " + material.name));
+      out().comment(origin_of(exporter_, material.span,
+                              material.name.empty() ? "material" : "material " + material.name));
       out().open("#declare " + name_of(shape.material) + " = material");
       export_material(exporter_, material, {Affined{}, Affined{}, &shape});
       out().close();

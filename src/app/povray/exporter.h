@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "app/povray/export_pov.h"
@@ -21,6 +23,7 @@ struct Exporter {
   Rgbd ambient;                            // of all ambient lights that shine
   PovWriter out;
   std::vector<Deviation> deviations;
+  std::set<std::tuple<DeviationKind, FileId, std::uint32_t>> known_deviations;
 
   // Each kind is reported once for a line.
   void deviate(DeviationKind kind, SourceSpan span);

@@ -58,18 +58,25 @@ class Judge {
     return several;
   }
 
-  // Whether in each channel the pixels around, in one of the pictures, span at least the
-  // difference: then an edge lies there, and the two programs put it on different sides of the
-  // pixel's centre. Not the pixel itself: a speck in one of the pictures would be its own edge.
-  bool is_step(PixelPlace place) const {
+  // Whether one of the pictures has an edge there that the two programs put on different sides of
+  // the pixel's centre.
+  bool is_step(PixelPlace place) const { return is_step(ours_, place) || is_step(theirs_, place); }
+
+  // In each channel the pixels around span at least the difference, and in the channel that differs
+  // most the difference is a good part of that: where a shade only changes smoothly, a small error
+  // is small beside it. Not the pixel itself: a speck would be its own edge.
+  bool is_step(const render::FloatBuffer& picture, PixelPlace place) const {
+    constexpr float kPart = 0.25F;
+    float largest = 0, span = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       const float difference =
           std::abs(ours_.at(c, place.column, place.row) - theirs_.at(c, place.column, place.row));
-      if (!(spread(ours_, c, place) >= difference) && !(spread(theirs_, c, place) >= difference)) {
-        return false;
-      }
+      const float around_it = spread(picture, c, place);
+      if (!(around_it >= difference)) return false;
+      if (difference > largest) span = around_it;
+      largest = std::max(largest, difference);
     }
-    return true;
+    return largest >= kPart * span;
   }
 
   static float spread(const render::FloatBuffer& picture, std::size_t channel, PixelPlace place) {

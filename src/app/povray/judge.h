@@ -26,7 +26,7 @@ struct Allowance {
 
 enum class Cause {
   silhouette,  // another object in one of the eight pixels around
-  edge,  // a step at least as large as the difference within those pixels: a shadow's edge, an
+  edge,  // a step of about the difference within those pixels: a terminator, a shadow's edge, an
          // object's in a mirror
   unexplained,
 };

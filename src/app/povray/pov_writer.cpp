@@ -18,6 +18,8 @@ std::string pov_color(Rgbd c) {
 }
 
 std::string pov_matrix(const Affined& map) {
+  const Vec3d offset = map.point({});
+  if (map == translation(offset)) return "translate " + pov_vector(offset);
   std::string out = "matrix <";
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {

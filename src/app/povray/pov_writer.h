@@ -14,7 +14,8 @@ namespace alhazen {
 std::string pov_number(double value);
 std::string pov_vector(Vec3d v);  // <x, y, z>
 std::string pov_color(Rgbd c);    // rgb <r, g, b>
-// matrix <...>: POV-Ray multiplies rows from the left, so each of its rows is a column of ours.
+// translate <...> for what only moves, else matrix <...>: POV-Ray multiplies rows from the left, so
+// each of its rows is a column of ours.
 std::string pov_matrix(const Affined& map);
 
 class PovWriter {

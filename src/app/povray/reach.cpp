@@ -4,23 +4,15 @@
 #include <cmath>
 
 #include "app/povray/bounds.h"
-#include "core/scene/effect.h"
 
 namespace alhazen {
 namespace {
 
-// POV-Ray sees nothing beyond.
-constexpr double kFarthest = 1e7;
+// POV-Ray sees nothing beyond 1e7; its pictures begin to differ sooner: a scene times 1e5 agrees in
+// 97 % of the channels, one times 1e3 in all.
+constexpr double kFarthest = 1e4;
 // It takes hits nearer than 1e-4 to 1e-3 to a ray's beginning for the surface that the ray left.
 constexpr double kSmallest = 1e-3;
-
-double reach_of_shadows(const Scene& scene) {
-  const bool parallel = std::ranges::any_of(scene.lights, [](const Light& light) {
-    return std::holds_alternative<DirectionalLight>(light.source) && light.casts_shadows &&
-           shines(light);
-  });
-  return parallel ? kFarAway : kFarthest;
-}
 
 // From the eye to the farthest corner.
 double farthest(const Bounds& bounds, Vec3d eye) {
@@ -33,13 +25,12 @@ double farthest(const Bounds& bounds, Vec3d eye) {
 }  // namespace
 
 std::vector<SourceSpan> shapes_out_of_reach(const Scene& scene) {
-  const double reach = reach_of_shadows(scene);
   std::vector<SourceSpan> found;
   for (const Shape& shape : scene.shapes) {
     if (std::holds_alternative<Plane>(shape.geometry)) continue;
     const Bounds world = world_bounds(shape);
     const double size = std::min(extent(world), extent(object_bounds(shape.geometry)));
-    if (size < kSmallest || farthest(world, scene.camera.frame.position) > reach) {
+    if (size < kSmallest || farthest(world, scene.camera.frame.position) > kFarthest) {
       found.push_back(shape.span);
     }
   }

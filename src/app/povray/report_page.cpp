@@ -122,9 +122,8 @@ Result<Html> pictures_of(const CrossCheck& check, const Witness& witness,
 Result<Html> section(const CrossCheck& check, const render::ColorTransform& view) {
   Html body = html_line("h2", check.name, {{"id", check.name}});
   for (const Witness& witness : check.witnesses) {
-    body += html_line(
-        "p", fmt::format("{}: {}. {}.", witness.name, result_name(witness.verdict),
-                         witness.verdict.sentence));
+    body += html_line("p", fmt::format("{}: {}. {}.", witness.name, result_name(witness.verdict),
+                                       witness.verdict.sentence));
     Result<Html> pictures = pictures_of(check, witness, view);
     if (!pictures) return pictures.error();
     body += pictures.value();
