@@ -64,7 +64,7 @@ class CrossChecking {
       : checked_(checked), scene_(checked.scene), folder_(folder), run_(run) {
     // A lens needs its samples; everything else is compared at the pixels' centres.
     if (!derive_effects(scene_).has(Effect::depth_of_field)) scene_.settings.samples = 1;
-    if (cutoff_differs(scene_)) scene_.settings.cutoff = 0;
+    if (cutoff_difference(scene_)) scene_.settings.cutoff = 0;
     scene_.settings.adaptive.reset();
     scene_.settings.filter = {};
     scene_.settings.transparent_background = false;

@@ -25,10 +25,10 @@ bool differs(const PovFinish& m, const std::optional<Rgbd>& color) {
 
 }  // namespace
 
-bool cutoff_differs(const Scene& scene) {
-  if (scene.settings.cutoff == 0) return false;
+std::optional<SourceSpan> cutoff_difference(const Scene& scene) {
+  if (scene.settings.cutoff == 0) return std::nullopt;
   const std::vector<std::optional<Rgbd>> solid = solid_colors(scene);
-  return std::ranges::any_of(scene.materials, [&](const Material& material) {
+  const auto found = std::ranges::find_if(scene.materials, [&](const Material& material) {
     return std::visit(
         Overloaded{[](const Diffuse&) { return false; }, [](const Black&) { return false; },
                    [&](const Mirror& m) { return !is_grey(solid[m.reflectance]); },
@@ -37,6 +37,8 @@ bool cutoff_differs(const Scene& scene) {
                    [](const auto&) { return true; }},
         material.scattering);
   });
+  if (found == scene.materials.end()) return std::nullopt;
+  return found->span;
 }
 
 }  // namespace alhazen

@@ -112,14 +112,10 @@ class MaterialExport {
 
   void write() {
     std::visit([this](const auto& m) { scattering(m); }, material_.scattering);
-    if (!material_.one_sided_emission || is_black(material_.emission)) return;
-    if (!std::holds_alternative<Quad4>(frame_.shape->geometry)) {
-      // Nobody sees the inside of a closed shape.
-      if (!is_closed(frame_.shape->geometry)) {
-        exporter_.deviate(DeviationKind::one_sided_glow, frame_.shape->span);
-      }
-      return;
-    }
+    // A lamp that shines on one side is a rectangle, or a ball, whose inside nobody sees.
+    const bool has_dark_side = material_.one_sided_emission && !is_black(material_.emission) &&
+                               std::holds_alternative<Quad4>(frame_.shape->geometry);
+    if (!has_dark_side) return;
     out().line("interior_texture { pigment { rgb 0 } finish { ambient 0 diffuse 0 } }");
   }
 

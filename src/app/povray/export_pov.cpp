@@ -182,7 +182,7 @@ Result<PovExport> export_pov(const Scene& scene, const SourceManager& sources,
   }
   for (const SourceSpan span : shapes_out_of_reach(scene))
     exporter.deviate(DeviationKind::reach, span);
-  if (cutoff_differs(scene)) exporter.deviate(DeviationKind::cutoff, scene.settings.span);
+  if (const auto span = cutoff_difference(scene)) exporter.deviate(DeviationKind::cutoff, *span);
   Result<std::vector<PovFile>> files = picture_files(exporter);
   if (!files) return files.error();
   return PovExport{heading(exporter) + exporter.out.text(), std::move(exporter.deviations),

@@ -58,25 +58,20 @@ class Judge {
     return several;
   }
 
-  // Whether one of the pictures has an edge there that the two programs put on different sides of
-  // the pixel's centre.
-  bool is_step(PixelPlace place) const { return is_step(ours_, place) || is_step(theirs_, place); }
-
-  // In each channel the pixels around span at least the difference, and in the channel that differs
-  // most the difference is a good part of that: where a shade only changes smoothly, a small error
-  // is small beside it. Not the pixel itself: a speck would be its own edge.
-  bool is_step(const render::FloatBuffer& picture, PixelPlace place) const {
-    constexpr float kPart = 0.25F;
-    float largest = 0, span = 0;
+  // Whether in each channel the pixels around, in one of the pictures, span at least the
+  // difference: then an edge may lie there, which the two programs put on different sides of the
+  // pixel's centre. Not the pixel itself: a speck in one of the pictures would be its own edge. A
+  // smooth shade passes for an edge, too, when the difference is small; but an error in a shade is
+  // in many pixels, and those are limited by kShareWithin.
+  bool is_step(PixelPlace place) const {
     for (std::size_t c = 0; c < 3; ++c) {
       const float difference =
           std::abs(ours_.at(c, place.column, place.row) - theirs_.at(c, place.column, place.row));
-      const float around_it = spread(picture, c, place);
-      if (!(around_it >= difference)) return false;
-      if (difference > largest) span = around_it;
-      largest = std::max(largest, difference);
+      if (!(spread(ours_, c, place) >= difference) && !(spread(theirs_, c, place) >= difference)) {
+        return false;
+      }
     }
-    return largest >= kPart * span;
+    return true;
   }
 
   static float spread(const render::FloatBuffer& picture, std::size_t channel, PixelPlace place) {
@@ -122,13 +117,17 @@ void decide(Verdict& verdict, const Allowance* allowance) {
   const auto unexplained =
       std::ranges::count(verdict.pixels, Cause::unexplained, &JudgedPixel::cause);
   verdict.passes = share >= kShareWithin && unexplained == 0;
-  verdict.sentence =
-      verdict.over == 0
-          ? "all channels agree to the rounding of a half float"
-          : fmt::format(
-                "{:.4f} % of the channels agree to the rounding of a half float; {} pixels "
-                "differ, {} of them at no edge",
-                100 * share, verdict.pixels.size(), unexplained);
+  if (verdict.over == 0) {
+    verdict.sentence = "all channels agree to the rounding of a half float";
+    return;
+  }
+  verdict.sentence = fmt::format(
+      "{:.4f} % of the channels agree to the rounding of a half float; {} pixels differ",
+      100 * share, verdict.pixels.size());
+  // Beyond that share it is no matter of edges.
+  if (share < kShareWithin) return;
+  verdict.sentence +=
+      unexplained == 0 ? ", all at edges" : fmt::format(", {} of them at no edge", unexplained);
 }
 
 }  // namespace
