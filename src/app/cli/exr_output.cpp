@@ -20,20 +20,35 @@ struct Plane {
   std::span<const float> samples;
 };
 
-std::vector<Plane> data_planes(const render::Picture& picture) {
+// Two whole numbers below 2^24, which a float holds exactly: equal signatures stay equal, and
+// different ones differ but for one pair in 2^48.
+std::vector<float> signature_samples(const render::Picture& picture) {
+  constexpr std::uint64_t kMask = (std::uint64_t{1} << 24) - 1;
+  std::vector<float> samples;
+  for (const std::uint64_t signature : picture.signature) {
+    samples.push_back(static_cast<float>(signature >> 40));
+    samples.push_back(static_cast<float>((signature >> 16) & kMask));
+  }
+  return samples;
+}
+
+std::vector<Plane> data_planes(const render::Picture& picture, std::span<const float> signature) {
   std::vector<Plane> planes = {{{"Z"}, picture.depth},
                                {{"N.X", "N.Y", "N.Z"}, picture.normal},
                                {{"P.X", "P.Y", "P.Z"}, picture.position},
                                {{"uv.U", "uv.V"}, picture.uv},
                                {{"albedo.R", "albedo.G", "albedo.B"}, picture.albedo},
                                {{"samples.V"}, picture.samples},
-                               {{"cost.V"}, picture.cost}};
+                               {{"cost.V"}, picture.cost},
+                               {{"signature.hi", "signature.lo"}, signature},
+                               {{"margin.V"}, picture.margin}};
   std::erase_if(planes, [](const Plane& plane) { return plane.samples.empty(); });
   return planes;
 }
 
 render::FloatBuffer data_buffer(const render::Picture& picture) {
-  const std::vector<Plane> planes = data_planes(picture);
+  const std::vector<float> signature = signature_samples(picture);
+  const std::vector<Plane> planes = data_planes(picture, signature);
   if (planes.empty()) return {};
   std::vector<std::string> names;
   for (const Plane& plane : planes) {

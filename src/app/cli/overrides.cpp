@@ -66,8 +66,9 @@ std::uint64_t picture_bytes(const render::PixelRect& window, const render::AovRe
   std::uint64_t bytes_per_pixel = 4 * 8 + 4 * 8 + 4 * 4 + 2 * 4 * 4;
   // Each data channel: the plane, the plane of the file, the file.
   const std::uint64_t channel = 3 * 4;
-  bytes_per_pixel += channel * (aovs.depth + 3 * aovs.normal + 3 * aovs.position + 2 * aovs.uv +
-                                3 * aovs.albedo + aovs.samples + aovs.cost);
+  bytes_per_pixel +=
+      channel * (aovs.depth + 3 * aovs.normal + 3 * aovs.position + 2 * aovs.uv + 3 * aovs.albedo +
+                 aovs.samples + aovs.cost + 4 * aovs.signature + aovs.margin);
   // Cryptomatte: six ranks of id and coverage, and the list that they come from.
   bytes_per_pixel += (12 * channel + 64) * (aovs.object_ids + aovs.material_ids);
   return static_cast<std::uint64_t>(window.width) * static_cast<std::uint64_t>(window.height) *

@@ -60,7 +60,8 @@ void add_output_options(CommandLine& line, RenderRequest& request, bool& as_half
                    "also an 8-bit picture as a display shows it");
   line.value_option("--aov", "LIST", request.aovs, to_aovs,
                     "data channels: depth, normal, position, uv, albedo, object, material\n"
-                    "(Cryptomatte), samples, cost; with commas between, or all");
+                    "(Cryptomatte), samples, cost; with commas between, or all; and\n"
+                    "signature and margin: what the rays decided, and how nearly");
   line.flag("--half", as_half, "store the picture in 16 bits a channel [default]");
   line.flag("--float", as_float, "store it in 32 bits a channel");
 }

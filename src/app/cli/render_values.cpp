@@ -30,6 +30,9 @@ constexpr Named<ProgressStyle> kProgressStyles[] = {{"auto", ProgressStyle::auto
                                                     {"plain", ProgressStyle::plain},
                                                     {"json", ProgressStyle::json},
                                                     {"none", ProgressStyle::none}};
+// `all` asks for those that describe the picture; the last two tell of the arithmetic behind it,
+// take time of their own, and are asked for by name.
+constexpr std::size_t kAovsOfAll = 9;
 constexpr Named<bool render::AovRequest::*> kAovs[] = {
     {"depth", &render::AovRequest::depth},
     {"normal", &render::AovRequest::normal},
@@ -39,7 +42,9 @@ constexpr Named<bool render::AovRequest::*> kAovs[] = {
     {"object", &render::AovRequest::object_ids},
     {"material", &render::AovRequest::material_ids},
     {"samples", &render::AovRequest::samples},
-    {"cost", &render::AovRequest::cost}};
+    {"cost", &render::AovRequest::cost},
+    {"signature", &render::AovRequest::signature},
+    {"margin", &render::AovRequest::margin}};
 
 template <class T, std::size_t size>
 Result<T> look_up(std::string_view word, const Named<T> (&table)[size]) {
@@ -155,7 +160,7 @@ Result<render::AovRequest> to_aovs(const std::string& text) {
   if (text == "none") return aovs;
   for (const std::string& word : split(text, ',')) {
     if (word == "all") {
-      for (const auto& aov : kAovs)
+      for (const auto& aov : std::span(kAovs).first<kAovsOfAll>())
         aovs.*aov.value = true;
       continue;
     }

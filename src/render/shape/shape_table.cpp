@@ -2,6 +2,8 @@
 
 #include "core/base/overloaded.h"
 #include "render/shape/convert.h"
+#include "render/shape/doubt_flat.h"
+#include "render/shape/doubt_solid.h"
 
 namespace alhazen::render {
 namespace {
@@ -119,16 +121,27 @@ auto ShapeTable<Real>::visit(const Entry& entry, const Visitor& visitor) const {
   return visitor(parallelograms_[entry.index]);
 }
 
+// In the frame that the shape's kernel lives in.
+template <class Real>
+Ray<Real> ShapeTable<Real>::own_ray(const Entry& entry, const Ray<Real>& ray) const {
+  if (!entry.in_object_frame) return ray;
+  const Affine<Real>& map = placements_[entry.placement].object_from_world;
+  return {map.point(ray.origin), map.vector(ray.direction)};
+}
+
 template <class Real>
 Crossings<Real> ShapeTable<Real>::crossings(ShapeId id, const Ray<Real>& ray,
                                             Departure from) const {
   const Entry& entry = entries_[id];
-  Ray<Real> own = ray;
-  if (entry.in_object_frame) {
-    const Affine<Real>& map = placements_[entry.placement].object_from_world;
-    own = {map.point(ray.origin), map.vector(ray.direction)};
-  }
+  const Ray<Real> own = own_ray(entry, ray);
   return visit(entry, [&](const auto& kernel) { return render::crossings(kernel, own, from); });
+}
+
+template <class Real>
+Doubts<Real> ShapeTable<Real>::doubts(ShapeId id, const Ray<Real>& ray, Departure from) const {
+  const Entry& entry = entries_[id];
+  const Ray<Real> own = own_ray(entry, ray);
+  return visit(entry, [&](const auto& kernel) { return render::doubts(kernel, own, from); });
 }
 
 template <class Real>

@@ -15,6 +15,7 @@
 #include "core/scene/shape.h"
 #include "render/shape/box.h"
 #include "render/shape/disc.h"
+#include "render/shape/doubt.h"
 #include "render/shape/frustum.h"
 #include "render/shape/parallelogram.h"
 #include "render/shape/plane.h"
@@ -41,6 +42,8 @@ class ShapeTable {
 
   // Rays, points and normals are in the moved world frame.
   Crossings<Real> crossings(ShapeId id, const Ray<Real>& ray, Departure from) const;
+  // The same crossings and the near misses, each with its margin.
+  Doubts<Real> doubts(ShapeId id, const Ray<Real>& ray, Departure from) const;
   SurfacePoint<Real> surface(ShapeId id, const Ray<Real>& ray,
                              const Crossing<Real>& crossing) const;
   // The same without u and v, whose arcs can cost more than all the rest.
@@ -63,6 +66,7 @@ class ShapeTable {
   };
 
   class Builder;
+  Ray<Real> own_ray(const Entry& entry, const Ray<Real>& ray) const;
   template <bool with_coordinates>
   SurfacePoint<Real> find_surface(ShapeId id, const Ray<Real>& ray,
                                   const Crossing<Real>& crossing) const;

@@ -79,6 +79,8 @@ class Integrator {
       case StageId::closest_hits:
       case StageId::interfaces:
       case StageId::absorb:
+      case StageId::sign_hits:
+      case StageId::weigh_hits:
         return wave_.rays.size();
       case StageId::escape:
         return wave_.escaped.size();

@@ -8,8 +8,8 @@ namespace {
 
 class Planner {
  public:
-  Planner(const Scene& scene, const EffectSet& effects, bool wants_albedo)
-      : scene_(scene), effects_(effects), wants_albedo_(wants_albedo) {}
+  Planner(const Scene& scene, const EffectSet& effects, const PlanWants& wants)
+      : scene_(scene), effects_(effects), wants_(wants) {}
 
   StagePlan plan() {
     add_camera();
@@ -48,7 +48,7 @@ class Planner {
                              effects_.has(Effect::pov_reflection) ||
                              effects_.has(Effect::pov_transmission);
     const bool colored =
-        (lit && scattering) || effects_.has(Effect::mirror) || pov_colored || wants_albedo_;
+        (lit && scattering) || effects_.has(Effect::mirror) || pov_colored || wants_.albedo;
     const bool reflecting = effects_.has(Effect::mirror) || effects_.has(Effect::metal) ||
                             effects_.has(Effect::coat) || effects_.has(Effect::refraction);
     if (colored && effects_.has(Effect::textures)) {
@@ -58,6 +58,7 @@ class Planner {
       if (colored || reflecting) always(StageId::surfaces);
       if (colored) always(StageId::plain_colors);
     }
+    add_decisions(effects_.has(Effect::direct_light) && scattering);
     when(StageId::emission, {Effect::emission});
     when(StageId::pov_glow, {Effect::pov_glow});
     add_lights();
@@ -67,6 +68,17 @@ class Planner {
     when(StageId::glass, {Effect::refraction});
     when(StageId::pov_reflection, {Effect::pov_reflection});
     when(StageId::pov_transmission, {Effect::pov_transmission});
+  }
+
+  void add_decisions(bool shone_upon) {
+    if (wants_.signature) {
+      always(StageId::sign_hits);
+      if (shone_upon) when(StageId::sign_lights, {Effect::direct_light});
+    }
+    if (wants_.margin) {
+      always(StageId::weigh_hits);
+      if (shone_upon) when(StageId::weigh_lights, {Effect::direct_light});
+    }
   }
 
   void add_lights() {
@@ -113,7 +125,7 @@ class Planner {
 
   const Scene& scene_;
   const EffectSet& effects_;
-  bool wants_albedo_;
+  const PlanWants& wants_;
   StagePlan plan_;
 };
 
@@ -134,8 +146,8 @@ bool operator==(const StagePlan& a, const StagePlan& b) {
   return same_stages(a.start, b.start) && same_stages(a.generation, b.generation);
 }
 
-StagePlan make_plan(const Scene& scene, const EffectSet& effects, bool wants_albedo) {
-  return Planner(scene, effects, wants_albedo).plan();
+StagePlan make_plan(const Scene& scene, const EffectSet& effects, const PlanWants& wants) {
+  return Planner(scene, effects, wants).plan();
 }
 
 }  // namespace alhazen::render

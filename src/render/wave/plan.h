@@ -51,8 +51,12 @@ struct StagePlan {
 // start from may lie inside of something clear.
 EffectSet effects_of(const Scene& scene);
 
-// `wants_albedo`: a data channel asks for the colours of surfaces that no light and no ray would.
-StagePlan make_plan(const Scene& scene, const EffectSet& effects, bool wants_albedo = false);
+// What data channels ask for that the picture itself would not.
+struct PlanWants {
+  bool albedo = false;  // the colours of surfaces that no light and no ray asks for
+  bool signature = false, margin = false;
+};
+StagePlan make_plan(const Scene& scene, const EffectSet& effects, const PlanWants& wants = {});
 
 // One line a stage with its reasons; `sources` gives the lines of the scene. The JSON has the same:
 // {"effects": [{name, text, called, lines}], "stages": [{name, text, phase, because, keeps}]}.

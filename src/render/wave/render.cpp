@@ -43,7 +43,9 @@ Result<RenderOutput> render(const Scene& scene, const std::vector<ImagePixels>& 
                             const RenderOptions& options, const ProgressListener& progress) {
   const Result<PixelRect> window = window_of(scene.settings, options.crop);
   if (!window) return window.error();
-  const StagePlan plan = make_plan(scene, effects_of(scene), options.aovs.albedo);
+  const AovRequest& aovs = options.aovs;
+  const StagePlan plan =
+      make_plan(scene, effects_of(scene), {aovs.albedo, aovs.signature, aovs.margin});
   try {
     return render_in(options.precision, {scene, images, options, plan, window.value(), progress});
   } catch (const std::bad_alloc&) {

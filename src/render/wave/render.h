@@ -27,14 +27,21 @@ struct PixelRect {
 };
 
 // What is kept besides the picture itself. Z, P, N and uv are those of the ray through the centre
-// of the pixel; albedo and ids are of all camera samples.
+// of the pixel; the others are of all camera samples.
+//
+// The signature is a hash of everything that the pixel's rays decided: the shape, face and side
+// each of them met or that it met nothing, whether it was totally reflected, and whether light
+// arrived. Textures, and the choice of a medium's list, are not in it. The margin is how near the
+// nearest of these decisions was to falling the other way, as a share of the numbers that were
+// compared (shape/doubt.h): 0 is a tie.
 struct AovRequest {
   bool depth = false, normal = false, position = false, uv = false, albedo = false;
   bool object_ids = false, material_ids = false, samples = false, cost = false;
+  bool signature = false, margin = false;
 
   bool any() const {
     return depth || normal || position || uv || albedo || object_ids || material_ids || samples ||
-           cost;
+           cost || signature || margin;
   }
 };
 
@@ -63,6 +70,8 @@ struct Picture {
   std::vector<float> uv;                // 2 a pixel
   std::vector<float> albedo;            // 3 a pixel
   std::vector<float> samples, cost;     // camera samples; rays of all kinds
+  std::vector<std::uint64_t> signature;
+  std::vector<float> margin;
   std::vector<std::vector<Coverage>> objects, materials;
 };
 

@@ -106,6 +106,8 @@ inline void make_planes(PixelRect window, const AovRequest& aovs, Picture& pictu
   plane(aovs.albedo, picture.albedo, 3);
   plane(aovs.samples, picture.samples, 1);
   plane(aovs.cost, picture.cost, 1);
+  plane(aovs.margin, picture.margin, 1);
+  if (aovs.signature) picture.signature.resize(pixels);
   if (aovs.object_ids) picture.objects.resize(pixels);
   if (aovs.material_ids) picture.materials.resize(pixels);
 }

@@ -135,24 +135,32 @@ void shine_spots(Wave<Real>& wave) {
   }
 }
 
-// The samples of one light at one branch of a pixel's ray trees are one sequence, through all
-// camera samples of the pixel: together they are spread over the light as evenly as the samples of
-// one.
+// Calls `visit(h, sample, k)` with sample k of an area light at each of the hits. The samples of
+// one light at one branch of a pixel's ray trees are one sequence, through all camera samples of
+// the pixel: together they are spread over the light as evenly as the samples of one.
+template <class View, class Real, class Placed, class Visitor>
+void visit_area(const Wave<Real>& wave, const std::vector<std::uint32_t>& hits, const Placed& light,
+                const Visitor& visit) {
+  for (const std::uint32_t h : hits) {
+    const std::size_t i = wave.hits.ray[h];
+    const View view(light.kernel, wave.hits.position[h]);
+    const std::uint64_t seed = mix_64(wave.rays.path[i], kFirstLightDimension + light.id);
+    const auto count = static_cast<std::uint32_t>(light.kernel.samples);
+    const std::uint32_t first = wave.slots.sample[wave.rays.slot[i]] * count;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const Sample2d bits = sample_2d(seed, first + k);
+      visit(h, view.sample(unit_real<Real>(bits.x), unit_real<Real>(bits.y)), k);
+    }
+  }
+}
+
 template <class Real, template <class> class Response, class View, class Placed>
 void shine_area(Wave<Real>& wave, const std::vector<Placed>& lights) {
   for (const Placed& light : lights) {
-    for (const std::uint32_t h : Response<Real>::hits(wave)) {
-      const std::size_t i = wave.hits.ray[h];
-      const View view(light.kernel, wave.hits.position[h]);
-      const std::uint64_t seed = mix_64(wave.rays.path[i], kFirstLightDimension + light.id);
-      const auto count = static_cast<std::uint32_t>(light.kernel.samples);
-      const std::uint32_t first = wave.slots.sample[wave.rays.slot[i]] * count;
-      for (std::uint32_t k = 0; k < count; ++k) {
-        const Sample2d bits = sample_2d(seed, first + k);
-        queue_light<Real, Response>(
-            wave, h, view.sample(unit_real<Real>(bits.x), unit_real<Real>(bits.y)), light);
-      }
-    }
+    visit_area<View>(wave, Response<Real>::hits(wave), light,
+                     [&](std::uint32_t h, const LightSample<Real>& sample, std::uint32_t) {
+                       queue_light<Real, Response>(wave, h, sample, light);
+                     });
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/wave/stage_camera.h"
+#include "render/wave/stage_decisions.h"
 #include "render/wave/stage_glass.h"
 #include "render/wave/stage_hits.h"
 #include "render/wave/stage_light.h"
@@ -46,6 +47,14 @@ typename StageCall<Real>::Function stage_function(StageId id) {
       return find_plain_colors<Real>;
     case StageId::textured_colors:
       return find_textured_colors<Real>;
+    case StageId::sign_hits:
+      return sign_hits<Real>;
+    case StageId::sign_lights:
+      return sign_lights<Real>;
+    case StageId::weigh_hits:
+      return weigh_hits<Real>;
+    case StageId::weigh_lights:
+      return weigh_lights<Real>;
     case StageId::emission:
       return add_emission<Real>;
     case StageId::ambient_on_matte:

@@ -51,6 +51,8 @@ class TileRenderer {
     PixelAccumulator<4> radiance;  // and alpha
     RunningMoments<3> albedo;
     std::uint64_t rays = 0;
+    std::uint64_t signature = 0;  // a sum: the order of samples does not matter
+    float margin = 1;
     CoverageCounter objects, materials;
   };
   // The samples [first, first + count) of a pixel.

@@ -64,7 +64,8 @@ bool TileRenderer<Real>::run_batch(const std::vector<SampleRange>& spans) {
   std::size_t size = 0;
   for (const SampleRange& span : spans)
     size += span.count;
-  integrator_.wave().slots.resize(size);
+  const AovRequest& aovs = job_.options.aovs;
+  integrator_.wave().slots.resize(size, aovs.signature, aovs.margin);
   negative_.resize(size);
   std::size_t slot = 0;
   for (const SampleRange& span : spans) {
@@ -109,6 +110,10 @@ void TileRenderer<Real>::collect(const std::vector<SampleRange>& spans) {
       pixel.rays += slots.rays[slot];
       const Rgbd albedo(slots.first_color[slot]);
       if (aovs.albedo) pixel.albedo.add({albedo.r, albedo.g, albedo.b});
+      if (aovs.signature) pixel.signature += mix_64(span.first + k, slots.signature[slot]);
+      if (aovs.margin) {
+        pixel.margin = std::min(pixel.margin, static_cast<float>(slots.margin[slot]));
+      }
       const ShapeId first = slots.first_shape[slot];
       if (first != kNoId && aovs.object_ids) pixel.objects.add(first);
       if (first != kNoId && aovs.material_ids) pixel.materials.add(job_.world.material_of[first]);
@@ -155,6 +160,8 @@ void TileRenderer<Real>::finish(Picture& picture) {
     }
     const auto taken = static_cast<float>(pixel.taken);
     if (aovs.samples) picture.samples[p] = taken;
+    if (aovs.signature) picture.signature[p] = pixel.signature;
+    if (aovs.margin) picture.margin[p] = pixel.margin;
     if (aovs.cost) picture.cost[p] = static_cast<float>(pixel.rays);
     if (aovs.object_ids) picture.objects[p] = pixel.objects.shares(pixel.taken);
     if (aovs.material_ids) picture.materials[p] = pixel.materials.shares(pixel.taken);

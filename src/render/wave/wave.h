@@ -24,10 +24,14 @@ struct Slots {
   std::vector<Rgb<Real>> dropped;           // weight of children that were cut
   std::vector<ShapeId> first_shape;         // that the camera ray met; kNoId: none
   std::vector<Rgb<Real>> first_color;       // its albedo
+  std::vector<std::uint64_t> signature;     // only if it was asked for
+  std::vector<Real> margin;                 // likewise
 
   std::size_t size() const { return x.size(); }
   FilmPoint<Real> film_point(std::size_t s) const { return {x[s], y[s], offset_x[s], offset_y[s]}; }
-  void resize(std::size_t count) {
+  void resize(std::size_t count, bool with_signature, bool with_margin) {
+    signature.assign(with_signature ? count : 0, 0);
+    margin.assign(with_margin ? count : 0, Real(1));
     x.resize(count);
     y.resize(count);
     sample.resize(count);
@@ -69,6 +73,9 @@ struct Wave {
   void add(std::size_t i, Rgb<Real> radiance) {
     slots.radiance[rays.slot[i]] += rays.weight[i] * radiance;
   }
+
+  // Keeps the smallest margin of the slot's decisions.
+  void weigh(SlotId slot, Real margin) { slots.margin[slot] = smaller(slots.margin[slot], margin); }
 
   // Where a ray starts that goes on from hit `h`: on the side that it came from, or across.
   Source source_at(std::size_t h, bool across) const {
@@ -155,7 +162,9 @@ struct Wave {
       slots.dropped[slot] += weight;
       return false;
     }
-    if (largest_channel(weight) < world.cutoff) {
+    const Real largest = largest_channel(weight);
+    if (!slots.margin.empty()) weigh(slot, relative_gap(largest, world.cutoff));
+    if (largest < world.cutoff) {
       ++counters.cut_by_weight;
       slots.dropped[slot] += weight;
       return false;

@@ -54,6 +54,12 @@ struct World {
 
   bool has_shapes() const { return !material_of.empty(); }
 
+  // Whether light goes on beyond a surface of this shape.
+  bool lets_light_pass(ShapeId shape) const {
+    const MaterialRecord<Real>& material = materials[material_of[shape]];
+    return material.pov_clear || material.kind == SurfaceKind::glass;
+  }
+
   // The index of refraction of a material that fills space; vacuum for kNoId.
   Real ior_of(MaterialId material) const {
     return material == kNoId ? Real(1) : materials[material].ior;

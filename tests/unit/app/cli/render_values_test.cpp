@@ -52,6 +52,10 @@ TEST(RenderValues, AovListsAreReadAndNamed) {
   EXPECT_EQ(aov_names(to_aovs("normal,depth").value()),
             (std::vector<std::string>{"depth", "normal"}));
   EXPECT_EQ(aov_names(to_aovs("all").value()).size(), 9u);
+  const render::AovRequest decisions = to_aovs("signature,margin").value();
+  EXPECT_TRUE(decisions.signature && decisions.margin && !decisions.depth);
+  EXPECT_FALSE(to_aovs("all").value().signature || to_aovs("all").value().margin);
+  EXPECT_TRUE(to_aovs("all,margin").value().margin);
   EXPECT_FALSE(to_aovs("none").value().any());
   EXPECT_FALSE(to_aovs("depth,"));
   EXPECT_THAT(to_aovs("normals").error().message, testing::HasSubstr("did you mean `normal`"));
