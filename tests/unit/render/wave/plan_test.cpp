@@ -44,7 +44,8 @@ TEST(Plan, SurfacesThatNothingLightsAreNotShaded) {
   SceneBuilder b;
   b.add(Sphere{{0, 0, 0}, 1}, b.diffuse(0.5));
   EXPECT_EQ(names_of(plan_of(b.scene)), (std::vector<std::string>{"pinhole_rays", "closest_hits"}));
-  EXPECT_TRUE(make_plan(b.scene, effects_of(b.scene), {.albedo = true}).runs(StageId::plain_colors));
+  EXPECT_TRUE(
+      make_plan(b.scene, effects_of(b.scene), {.albedo = true}).runs(StageId::plain_colors));
 }
 
 TEST(Plan, PovFinishCallsForWhatItDoes) {
