@@ -68,7 +68,11 @@ inline Roots<Real> roots_of(const Quadratic<Real>& equation) {
   const Real root = square_root(larger(discriminant, Real(0)));
   const Real q = b < Real(0) ? root - b : -b - root;
   if (q == Real(0)) return {Real(0), Real(0)};
-  const Real first = q / a, second = c / q;
+  const Real first = q / a;
+  Real second = c / q;
+  // |q| is the larger of |b +- root|. Only rounding in a q that has cancelled says otherwise.
+  if (absolute(second) > absolute(first))
+    second = second < Real(0) ? -absolute(first) : absolute(first);
   return first < second ? Roots<Real>{first, second} : Roots<Real>{second, first};
 }
 

@@ -192,6 +192,20 @@ bool ShapeTable<Real>::contains(ShapeId id, Vec3<Real> point) const {
   return visit(entry, [&](const auto& kernel) { return encloses(kernel, own); });
 }
 
+template <class Real>
+std::optional<ShapeBounds<Real>> ShapeTable<Real>::bounds(ShapeId id) const {
+  const Entry& entry = entries_[id];
+  return visit(entry, [&]<class Kernel>(const Kernel& kernel) -> std::optional<ShapeBounds<Real>> {
+    if constexpr (bounds::HasHull<Kernel, Real>) {
+      if (!entry.in_object_frame) return bounds_in_world<Real>(kernel);
+      const Placement& place = placements_[entry.placement];
+      return bounds_in_world(kernel, place.world_from_object, place.object_from_world);
+    } else {
+      return std::nullopt;
+    }
+  });
+}
+
 template class ShapeTable<float>;
 template class ShapeTable<double>;
 #if ALHAZEN_HAS_QUAD

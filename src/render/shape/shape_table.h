@@ -13,6 +13,7 @@
 
 #include "core/math/transform.h"
 #include "core/scene/shape.h"
+#include "render/shape/bounds.h"
 #include "render/shape/box.h"
 #include "render/shape/disc.h"
 #include "render/shape/doubt.h"
@@ -52,6 +53,8 @@ class ShapeTable {
   // Whether the point is inside of a closed shape; on the surface it is not. Open shapes contain
   // nothing.
   bool contains(ShapeId id, Vec3<Real> point) const;
+  // Nothing for a plane, which has no bounds.
+  std::optional<ShapeBounds<Real>> bounds(ShapeId id) const;
 
  private:
   enum class Kind : std::uint8_t { sphere, plane, box, disc, frustum, triangle, parallelogram };
