@@ -1,34 +1,16 @@
 #include "render/accel/closest_hit.h"
 
+#include "render/accel/shape_hits.h"
+
 namespace alhazen::render {
 namespace {
 
-// Whether a ray that starts on another face through its own origin has to cross this one.
-template <class Real>
-bool is_ahead(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source, ShapeId id,
-              const Crossing<Real>& crossing) {
-  if (source.shape == kNoId || id == source.shape || source.arrival == Vec3d()) return true;
-  for (const Touched& touched : source.earlier) {
-    if (touched.shape == id && touched.face == crossing.face) {
-      return crossing.enters == (touched.side == Side::kAbove);
-    }
-  }
-  const Vec3<Real> normal = table.plain_surface(id, ray, crossing).normal;
-  return crossing.enters == (dot(Vec3<Real>(source.arrival), normal) < Real(0));
-}
-
 // Calls `visit` with every hit up to t_max until it returns false.
 template <class Real, class Visitor>
-void for_each_hit(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source,
-                  Real t_max, ShapeId ignored, const Visitor& visit) {
+void for_all_shapes(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source,
+                    Real t_max, ShapeId ignored, const Visitor& visit) {
   for (ShapeId id = 0; id < table.size(); ++id) {
-    if (id == ignored) continue;
-    const Departure from = id == source.shape ? Departure{source.face, source.side} : Departure();
-    for (const Crossing<Real>& c : table.crossings(id, ray, from)) {
-      if (!(c.t <= t_max)) continue;
-      if (c.t == Real(0) && !is_ahead(table, ray, source, id, c)) continue;
-      if (!visit(Hit<Real>{c.t, id, c.face, c.enters})) return;
-    }
+    if (id != ignored && !for_each_hit(table, ray, source, t_max, id, visit)) return;
   }
 }
 
@@ -38,7 +20,7 @@ template <class Real>
 std::optional<Hit<Real>> closest_hit(const ShapeTable<Real>& table, const Ray<Real>& ray,
                                      const Source& source, Real t_max, ShapeId ignored) {
   std::optional<Hit<Real>> best;
-  for_each_hit(table, ray, source, t_max, ignored, [&best](const Hit<Real>& hit) {
+  for_all_shapes(table, ray, source, t_max, ignored, [&best](const Hit<Real>& hit) {
     if (!best || precedes(hit, *best)) best = hit;
     return true;
   });
@@ -50,7 +32,7 @@ std::optional<Hit<Real>> next_hit(const ShapeTable<Real>& table, const Ray<Real>
                                   const Source& source, const Hit<Real>& previous, Real t_max,
                                   ShapeId ignored) {
   std::optional<Hit<Real>> best;
-  for_each_hit(table, ray, source, t_max, ignored, [&](const Hit<Real>& hit) {
+  for_all_shapes(table, ray, source, t_max, ignored, [&](const Hit<Real>& hit) {
     if (precedes(previous, hit) && (!best || precedes(hit, *best))) best = hit;
     return true;
   });
@@ -61,7 +43,7 @@ template <class Real>
 bool any_hit(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source, Real t_max,
              ShapeId ignored) {
   bool found = false;
-  for_each_hit(table, ray, source, t_max, ignored, [&found](const Hit<Real>&) {
+  for_all_shapes(table, ray, source, t_max, ignored, [&found](const Hit<Real>&) {
     found = true;
     return false;
   });

@@ -1,0 +1,63 @@
+// render/accel: which surface a ray meets first, by a tree of boxes: a bounding volume hierarchy.
+// The same hits, to the last bit, as asking every shape (closest_hit.h); why is in
+// docs/acceleration.md.
+#pragma once
+
+#include <optional>
+
+#include "render/accel/hit.h"
+#include "render/accel/tree_build.h"
+
+namespace alhazen::render {
+
+// The table stays where it is and lives longer.
+template <class Real>
+class ShapeTree {
+ public:
+  explicit ShapeTree(const ShapeTable<Real>& table);
+
+  const ShapeTable<Real>& table() const { return *table_; }
+  // Shapes that every ray is tested against.
+  std::size_t outside() const { return outside_.size(); }
+  // Of the tree alone, without the table.
+  std::size_t bytes() const;
+
+  // Calls consider(id) for every shape that the ray may meet with from <= t <= to, and for others,
+  // until it returns false. `to` is read anew each time. The shape that the ray leaves comes first.
+  template <class Consider>
+  void visit(const Ray<Real>& ray, const Source& source, Real from, const Real& to, ShapeId ignored,
+             const Consider& consider) const;
+
+ private:
+  Real margin_of(Vec3<Real> origin) const;
+  template <class Consider>
+  void visit_nodes(const Ray<Real>& ray, Real from, const Real& to, const Consider& consider) const;
+
+  const ShapeTable<Real>* table_;
+  std::vector<TreeNode<Real>> nodes_;
+  std::vector<ShapeId> shapes_;   // of the leaves
+  std::vector<ShapeId> outside_;  // planes, and what has no useful bounds
+  // The boxes hold the hits of rays that start no farther than start_radius_ from the origin in any
+  // coordinate if they are grown by near_reach_ |origin|; else by far_reach_ |origin|.
+  Real start_radius_ = 0, near_reach_ = 0, far_reach_ = 0;
+};
+
+extern template class ShapeTree<float>;
+extern template class ShapeTree<double>;
+#if ALHAZEN_HAS_QUAD
+extern template class ShapeTree<Quad>;
+#endif
+
+// As the functions of the same names in closest_hit.h.
+template <class Real>
+std::optional<Hit<Real>> closest_hit(const ShapeTree<Real>& tree, const Ray<Real>& ray,
+                                     const Source& source, Real t_max, ShapeId ignored = kNoId);
+template <class Real>
+std::optional<Hit<Real>> next_hit(const ShapeTree<Real>& tree, const Ray<Real>& ray,
+                                  const Source& source, const Hit<Real>& previous, Real t_max,
+                                  ShapeId ignored = kNoId);
+template <class Real>
+bool any_hit(const ShapeTree<Real>& tree, const Ray<Real>& ray, const Source& source, Real t_max,
+             ShapeId ignored = kNoId);
+
+}  // namespace alhazen::render
