@@ -12,7 +12,7 @@ void write_center_geometry(const World<Real>& world, const AovRequest& aovs, con
                            int x, int y, std::size_t pixel, Picture& picture) {
   const CameraRay<Real> start = world.camera.ray({x, y, Real(0), Real(0)}, Real(0.5), Real(0.5));
   const Ray<Real> ray{start.origin, start.direction};
-  const auto hit = closest_hit(world.shapes, ray, Source{}, infinity<Real>());
+  const auto hit = closest_hit(world.tree, ray, Source{}, infinity<Real>());
   if (!hit) {
     if (aovs.depth) picture.depth[pixel] = std::numeric_limits<float>::infinity();
     return;

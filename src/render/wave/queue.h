@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/math/vec.h"
-#include "render/accel/closest_hit.h"
+#include "render/accel/hit.h"
 #include "render/surface/texture_point.h"
 #include "render/wave/media.h"
 

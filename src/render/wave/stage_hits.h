@@ -20,9 +20,8 @@ void keep_hit(Wave<Real>& wave, std::uint32_t ray, const std::optional<Hit<Real>
 template <class Real>
 void find_closest_hits(Wave<Real>& wave) {
   for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-    keep_hit(
-        wave, static_cast<std::uint32_t>(i),
-        closest_hit(wave.world.shapes, wave.rays.ray(i), wave.rays.source[i], infinity<Real>()));
+    keep_hit(wave, static_cast<std::uint32_t>(i),
+             closest_hit(wave.world.tree, wave.rays.ray(i), wave.rays.source[i], infinity<Real>()));
   }
   wave.sort_hits();
 }
@@ -39,7 +38,7 @@ void find_interfaces(Wave<Real>& wave) {
     MediumId& medium = wave.rays.medium[i];
     Source passed;  // remembers the faces passed at one point
     Real passed_at = -1;
-    auto hit = closest_hit(world.shapes, ray, source, infinity<Real>());
+    auto hit = closest_hit(world.tree, ray, source, infinity<Real>());
     while (hit) {
       const MaterialId material = world.material_of[hit->shape];
       const MaterialRecord<Real>& record = world.materials[material];
@@ -53,7 +52,7 @@ void find_interfaces(Wave<Real>& wave) {
       if (hit->t != passed_at) passed = {};
       passed_at = hit->t;
       passed.remember({hit->shape, hit->face, hit->enters ? Side::kBelow : Side::kAbove});
-      hit = next_hit(world.shapes, ray, source, *hit, infinity<Real>());
+      hit = next_hit(world.tree, ray, source, *hit, infinity<Real>());
     }
     keep_hit(wave, static_cast<std::uint32_t>(i), hit);
     if (!hit) continue;

@@ -25,7 +25,7 @@ void add_past_opaque(Wave<Real>& wave) {
   const ShadowQueue<Real>& paths = wave.light_paths;
   count_shadow_rays(wave);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const bool blocked = any_hit(wave.world.shapes, {paths.origin[i], paths.direction[i]},
+    const bool blocked = any_hit(wave.world.tree, {paths.origin[i], paths.direction[i]},
                                  paths.source[i], paths.distance[i], paths.light_shape[i]);
     if (!blocked) wave.slots.radiance[paths.slot[i]] += paths.radiance[i];
   }
@@ -73,8 +73,8 @@ Rgb<Real> follow_to_light(Wave<Real>& wave, std::size_t i) {
   MediumId medium = paths.medium[i];
   Real travelled = 0;
   Rgb<Real> share(Real(1));
-  auto hit = closest_hit(world.shapes, ray, source, distance, lamp);
-  for (; !is_black(share); hit = next_hit(world.shapes, ray, source, *hit, distance, lamp)) {
+  auto hit = closest_hit(world.tree, ray, source, distance, lamp);
+  for (; !is_black(share); hit = next_hit(world.tree, ray, source, *hit, distance, lamp)) {
     const Real here = hit ? hit->t : distance;
     const MaterialId material = hit ? world.material_of[hit->shape] : kNoId;
     const bool is_pov = hit && world.materials[material].pov_clear;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "render/accel/closest_hit.h"
+#include "render/accel/shape_tree.h"
 #include "render/camera/camera_kernel.h"
 #include "render/shape/shape_table.h"
 #include "render/surface/texture_table.h"
@@ -21,6 +21,7 @@ struct World {
   World(const Scene& scene, const std::vector<ImagePixels>& pictures)
       : world_offset(scene.camera.frame.position),
         shapes(scene.shapes, world_offset),
+        tree(shapes),
         materials(scene),
         textures(scene.textures, views_of(pictures), world_offset),
         lights(scene.lights, world_offset),
@@ -40,6 +41,9 @@ struct World {
       if (closed && (is_pov || material.kind == SurfaceKind::glass)) solids.push_back(id);
     }
   }
+
+  World(const World&) = delete;  // the tree looks at `shapes`
+  World& operator=(const World&) = delete;
 
   // Light paths that one shaded point may send out; at least 1.
   std::size_t light_samples() const {
@@ -67,6 +71,7 @@ struct World {
 
   Vec3d world_offset;  // world = rebased + world_offset
   ShapeTable<Real> shapes;
+  ShapeTree<Real> tree;  // of `shapes`
   MaterialTable<Real> materials;
   TextureTable<Real> textures;
   Lights<Real> lights;
