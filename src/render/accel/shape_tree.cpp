@@ -1,5 +1,8 @@
 #include "render/accel/shape_tree.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "render/accel/shape_hits.h"
 #include "render/accel/tree_ray.h"
 
@@ -12,44 +15,51 @@ template <class Real>
 constexpr Real kCommonReach = Real(4096) * ScalarTraits<Real>::unit_roundoff();
 
 template <class Real>
+Real size_of(const TreeBox<Real>& box) {
+  return larger(largest_coordinate(box.min), largest_coordinate(box.max));
+}
+
+template <class Real>
 bool is_useful(const ShapeBounds<Real>& bounds) {
   return is_finite(bounds.min) && is_finite(bounds.max) && bounds.reach < Real(1) &&
-         is_ordinary(larger(largest_coordinate(bounds.min), largest_coordinate(bounds.max)));
+         is_ordinary(size_of(TreeBox<Real>{bounds.min, bounds.max}));
 }
 
 }  // namespace
 
 template <class Real>
 ShapeTree<Real>::ShapeTree(const ShapeTable<Real>& table) : table_(&table) {
-  std::vector<ShapeId> inside;
-  std::vector<ShapeBounds<Real>> bounds;
+  std::vector<NumberedBox<Real>> boxes;
   for (ShapeId id = 0; id < table.size(); ++id) {
-    const auto of_shape = table.bounds(id);
-    if (!of_shape || !is_useful(*of_shape)) {
+    const auto bounds = table.bounds(id);
+    if (!bounds || !is_useful(*bounds)) {
       outside_.push_back(id);
       continue;
     }
-    inside.push_back(id);
-    bounds.push_back(*of_shape);
-    start_radius_ = larger(start_radius_, larger(largest_coordinate(of_shape->min),
-                                                 largest_coordinate(of_shape->max)));
+    const TreeBox<Real> box{bounds->min, bounds->max};
+    start_radius_ = larger(start_radius_, size_of(box));
+    boxes.push_back({box, id});
   }
-  std::vector<TreeBox<Real>> boxes;
-  boxes.reserve(bounds.size());
-  for (const ShapeBounds<Real>& b : bounds) {
-    const bool is_common = b.reach <= kCommonReach<Real>;
-    const Real by = is_common ? Real(0) : b.reach * start_radius_;
-    const Vec3<Real> margin{by, by, by};
-    boxes.push_back({b.min - margin, b.max + margin});
-    if (is_common) near_reach_ = larger(near_reach_, b.reach);
-    far_reach_ = larger(far_reach_, b.reach);
+  if (boxes.size() == 1) {  // its kernel alone costs less
+    outside_.insert(std::lower_bound(outside_.begin(), outside_.end(), boxes[0].number),
+                    boxes[0].number);
+    return;
   }
-  near_reach_ = larger(near_reach_, Real(8) * ScalarTraits<Real>::unit_roundoff());
-  TreeNodes<Real> built = build_tree(boxes);
+  near_reach_ = Real(8) * ScalarTraits<Real>::unit_roundoff();
+  for (NumberedBox<Real>& box : boxes) {
+    const Real reach = table.bounds(box.number)->reach;
+    far_reach_ = larger(far_reach_, reach);
+    if (reach <= kCommonReach<Real>) {
+      near_reach_ = larger(near_reach_, reach);
+    } else {
+      const Real by = reach * start_radius_;
+      box.box.min = box.box.min - Vec3<Real>(by, by, by);
+      box.box.max = box.box.max + Vec3<Real>(by, by, by);
+    }
+  }
+  TreeNodes<Real> built = build_tree(std::move(boxes));
   nodes_ = std::move(built.nodes);
-  shapes_ = std::move(built.items);
-  for (ShapeId& shape : shapes_)
-    shape = inside[shape];
+  shapes_ = std::move(built.leaves);
 }
 
 template <class Real>
@@ -168,18 +178,25 @@ bool any_hit(const ShapeTree<Real>& tree, const Ray<Real>& ray, const Source& so
   return found;
 }
 
-#define ALHAZEN_SHAPE_TREE(Real)                                                              \
-  template class ShapeTree<Real>;                                                             \
-  template std::optional<Hit<Real>> closest_hit(const ShapeTree<Real>&, const Ray<Real>&,     \
-                                                const Source&, Real, ShapeId);                \
-  template std::optional<Hit<Real>> next_hit(const ShapeTree<Real>&, const Ray<Real>&,        \
-                                             const Source&, const Hit<Real>&, Real, ShapeId); \
-  template bool any_hit(const ShapeTree<Real>&, const Ray<Real>&, const Source&, Real, ShapeId);
-ALHAZEN_SHAPE_TREE(float)
-ALHAZEN_SHAPE_TREE(double)
+template class ShapeTree<float>;
+template std::optional<Hit<float>> closest_hit(const ShapeTree<float>&, const Ray<float>&,
+                                               const Source&, float, ShapeId);
+template std::optional<Hit<float>> next_hit(const ShapeTree<float>&, const Ray<float>&,
+                                            const Source&, const Hit<float>&, float, ShapeId);
+template bool any_hit(const ShapeTree<float>&, const Ray<float>&, const Source&, float, ShapeId);
+template class ShapeTree<double>;
+template std::optional<Hit<double>> closest_hit(const ShapeTree<double>&, const Ray<double>&,
+                                                const Source&, double, ShapeId);
+template std::optional<Hit<double>> next_hit(const ShapeTree<double>&, const Ray<double>&,
+                                             const Source&, const Hit<double>&, double, ShapeId);
+template bool any_hit(const ShapeTree<double>&, const Ray<double>&, const Source&, double, ShapeId);
 #if ALHAZEN_HAS_QUAD
-ALHAZEN_SHAPE_TREE(Quad)
+template class ShapeTree<Quad>;
+template std::optional<Hit<Quad>> closest_hit(const ShapeTree<Quad>&, const Ray<Quad>&,
+                                              const Source&, Quad, ShapeId);
+template std::optional<Hit<Quad>> next_hit(const ShapeTree<Quad>&, const Ray<Quad>&, const Source&,
+                                           const Hit<Quad>&, Quad, ShapeId);
+template bool any_hit(const ShapeTree<Quad>&, const Ray<Quad>&, const Source&, Quad, ShapeId);
 #endif
-#undef ALHAZEN_SHAPE_TREE
 
 }  // namespace alhazen::render

@@ -3,19 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace alhazen::render {
 namespace {
 
 constexpr int kBins = 16;
-
-template <class Real>
-struct Item {
-  TreeBox<Real> box;
-  std::uint32_t number;
-
-  Real twice_center(int axis) const { return box.min[axis] + box.max[axis]; }
-};
 
 // Items [begin, end), after so many splits.
 template <class Real>
@@ -26,6 +19,11 @@ struct Range {
 
   std::size_t size() const { return end - begin; }
 };
+
+template <class Real>
+Real twice_center(const TreeBox<Real>& box, int axis) {
+  return box.min[axis] + box.max[axis];
+}
 
 template <class Real>
 Real half_area(const TreeBox<Real>& box) {
@@ -39,8 +37,8 @@ struct Binning {
   int axis = 0;
   Real from = 0, extent = 0;
 
-  int bin_of(const Item<Real>& item) const {
-    const Real place = (item.twice_center(axis) - from) / extent;
+  int bin_of(const NumberedBox<Real>& item) const {
+    const Real place = (twice_center(item.box, axis) - from) / extent;
     return std::min(kBins - 1, static_cast<int>(place * Real(kBins)));
   }
 };
@@ -48,11 +46,7 @@ struct Binning {
 template <class Real>
 class Builder {
  public:
-  explicit Builder(const std::vector<TreeBox<Real>>& boxes) {
-    items_.reserve(boxes.size());
-    for (const TreeBox<Real>& box : boxes)
-      items_.push_back({box, static_cast<std::uint32_t>(items_.size())});
-  }
+  explicit Builder(std::vector<NumberedBox<Real>> boxes) : items_(std::move(boxes)) {}
 
   TreeNodes<Real> build() {
     if (items_.empty()) return {};
@@ -80,9 +74,9 @@ class Builder {
         node.count[k] = is_leaf ? static_cast<std::uint32_t>(child.size()) : 0;
       }
     }
-    result_.items.reserve(items_.size());
-    for (const Item<Real>& item : items_)
-      result_.items.push_back(item.number);
+    result_.leaves.reserve(items_.size());
+    for (const NumberedBox<Real>& item : items_)
+      result_.leaves.push_back(item.number);
     return std::move(result_);
   }
 
@@ -125,7 +119,7 @@ class Builder {
     const std::array<Binning<Real>, 3> axes = binnings(range);
     if (range.splits < kDeepestFreeSplit) {
       if (const auto cut = best_cut(range, axes)) {
-        const auto middle = std::partition(begin, end, [&cut](const Item<Real>& item) {
+        const auto middle = std::partition(begin, end, [&cut](const NumberedBox<Real>& item) {
           return cut->binning.bin_of(item) <= cut->last_bin;
         });
         return static_cast<std::size_t>(middle - items_.begin());
@@ -134,10 +128,12 @@ class Builder {
     const auto longest = std::max_element(
         axes.begin(), axes.end(), [](const auto& a, const auto& b) { return a.extent < b.extent; });
     const auto middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [longest](const Item<Real>& a, const Item<Real>& b) {
-      const Real at_a = a.twice_center(longest->axis), at_b = b.twice_center(longest->axis);
-      return at_a != at_b ? at_a < at_b : a.number < b.number;
-    });
+    std::nth_element(begin, middle, end,
+                     [longest](const NumberedBox<Real>& a, const NumberedBox<Real>& b) {
+                       const Real at_a = twice_center(a.box, longest->axis),
+                                  at_b = twice_center(b.box, longest->axis);
+                       return at_a != at_b ? at_a < at_b : a.number < b.number;
+                     });
     return static_cast<std::size_t>(middle - items_.begin());
   }
 
@@ -196,21 +192,21 @@ class Builder {
     return best;
   }
 
-  std::vector<Item<Real>> items_;
+  std::vector<NumberedBox<Real>> items_;
   TreeNodes<Real> result_;
 };
 
 }  // namespace
 
 template <class Real>
-TreeNodes<Real> build_tree(const std::vector<TreeBox<Real>>& boxes) {
-  return Builder<Real>(boxes).build();
+TreeNodes<Real> build_tree(std::vector<NumberedBox<Real>> boxes) {
+  return Builder<Real>(std::move(boxes)).build();
 }
 
-template TreeNodes<float> build_tree(const std::vector<TreeBox<float>>&);
-template TreeNodes<double> build_tree(const std::vector<TreeBox<double>>&);
+template TreeNodes<float> build_tree(std::vector<NumberedBox<float>>);
+template TreeNodes<double> build_tree(std::vector<NumberedBox<double>>);
 #if ALHAZEN_HAS_QUAD
-template TreeNodes<Quad> build_tree(const std::vector<TreeBox<Quad>>&);
+template TreeNodes<Quad> build_tree(std::vector<NumberedBox<Quad>>);
 #endif
 
 }  // namespace alhazen::render

@@ -5,8 +5,14 @@
 
 namespace alhazen::render {
 
-// All coordinates finite. The same boxes give the same nodes.
 template <class Real>
-TreeNodes<Real> build_tree(const std::vector<TreeBox<Real>>& boxes);
+struct NumberedBox {
+  TreeBox<Real> box;  // finite
+  std::uint32_t number;
+};
+
+// The same boxes in the same order give the same nodes.
+template <class Real>
+TreeNodes<Real> build_tree(std::vector<NumberedBox<Real>> boxes);
 
 }  // namespace alhazen::render

@@ -12,8 +12,8 @@
 namespace alhazen::render {
 
 inline constexpr int kNodeWidth = 4;
-// A leaf holds no more shapes than this (measured: docs/acceleration.md).
-inline constexpr int kLargestLeaf = 2;
+// A leaf holds no more shapes than this: a kernel costs more than a box (docs/acceleration.md).
+inline constexpr int kLargestLeaf = 1;
 // Below this many splits the halves are equal in number, so that a tree of 2^32 shapes is no deeper
 // than kDeepestSplit.
 inline constexpr int kDeepestFreeSplit = 40;
@@ -70,12 +70,12 @@ struct TreeNode {
   }
 };
 
-// Node 0 is the root, unless there are no nodes. Leaves are ranges of `items`, which number the
-// boxes that the tree was built of.
+// Node 0 is the root, unless there are no nodes. Leaves are ranges of `leaves`, which holds what
+// the boxes were numbered with.
 template <class Real>
 struct TreeNodes {
   std::vector<TreeNode<Real>> nodes;
-  std::vector<std::uint32_t> items;
+  std::vector<std::uint32_t> leaves;
 };
 
 }  // namespace alhazen::render
