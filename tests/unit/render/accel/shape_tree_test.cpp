@@ -103,12 +103,12 @@ TYPED_TEST(ShapeTreeOf, CoincidentShapes) {
 TYPED_TEST(ShapeTreeOf, GrazingAndFarRays) {
   using Real = TypeParam;
   int hits = 0;
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const ShapeTable<Real> table(mixed_shapes(seed, 1, 40), Vec3d{});
     const ShapeTree<Real> tree(table);
     Dice dice(seed + 900);
     for (const double distance : {3.0, 1e3, 1e8}) {
-      for (int i = 0; i < 300; ++i) {
+      for (int i = 0; i < 200; ++i) {
         const auto id = static_cast<ShapeId>(dice.below(static_cast<int>(table.size())));
         const auto bounds = table.bounds(id);
         if (!bounds) continue;
@@ -118,7 +118,7 @@ TYPED_TEST(ShapeTreeOf, GrazingAndFarRays) {
       }
     }
   }
-  EXPECT_GT(hits, 3000);
+  EXPECT_GT(hits, 800);
 }
 
 // Rays along the lines of cones, where the equation of the side all but loses its square.
