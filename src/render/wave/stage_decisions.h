@@ -127,11 +127,11 @@ std::uint64_t obstacles(const Wave<Real>& wave, const LightQuestion<Real>& q, co
                         const Source& source) {
   const World<Real>& world = wave.world;
   std::uint64_t sum = 0;
-  auto hit = closest_hit(world.shapes, ray, source, q.sample.distance, q.lamp);
+  auto hit = closest_hit(world.tree, ray, source, q.sample.distance, q.lamp);
   while (hit) {
     if (!world.lets_light_pass(hit->shape)) return 1;
     sum += word_of(hit->shape, hit->face, hit->enters);
-    hit = next_hit(world.shapes, ray, source, *hit, q.sample.distance, q.lamp);
+    hit = next_hit(world.tree, ray, source, *hit, q.sample.distance, q.lamp);
   }
   return sum;
 }
