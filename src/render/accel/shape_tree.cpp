@@ -9,10 +9,10 @@
 namespace alhazen::render {
 namespace {
 
-// A shape whose reach is larger (a cone in float, a map that nearly is singular) is kept from
-// making every other box larger: its own is grown for all rays that start within the tree's radius.
-template <class Real>
-constexpr Real kCommonReach = Real(4096) * ScalarTraits<Real>::unit_roundoff();
+// A shape whose reach is more roundings than this (a cone, a map that nearly is singular) is kept
+// from making every other box larger: its own is grown for all rays that start within the tree's
+// radius. A choice of cost alone: either way the boxes hold every hit.
+constexpr int kCommonRoundings = 4096;
 
 template <class Real>
 Real size_of(const TreeBox<Real>& box) {
@@ -45,11 +45,12 @@ ShapeTree<Real>::ShapeTree(const ShapeTable<Real>& table) : table_(&table) {
                     boxes[0].number);
     return;
   }
-  near_reach_ = Real(8) * ScalarTraits<Real>::unit_roundoff();
+  const Real u = ScalarTraits<Real>::unit_roundoff();
+  near_reach_ = Real(8) * u;
   for (NumberedBox<Real>& box : boxes) {
     const Real reach = table.bounds(box.number)->reach;
     far_reach_ = larger(far_reach_, reach);
-    if (reach <= kCommonReach<Real>) {
+    if (reach <= Real(kCommonRoundings) * u) {
       near_reach_ = larger(near_reach_, reach);
     } else {
       const Real by = reach * start_radius_;
