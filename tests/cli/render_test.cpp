@@ -159,8 +159,8 @@ TEST_F(Render, ASignalEndsItWithoutAFile) {
     options.send_signal = number;
     options.signal_after = "progress";
     const auto start = std::chrono::steady_clock::now();
-    const Outcome outcome = run_alhazen({"render", "s.scn", "--size", "2000x2000", "--samples",
-                                         "4096", "--progress", "json", "-o", "a.exr"},
+    const Outcome outcome = run_alhazen({"render", "s.scn", "--size", "600x600", "--samples",
+                                         "8192", "--progress", "json", "-o", "a.exr"},
                                         options);
     const auto seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start);
     EXPECT_EQ(outcome.code, 75);
