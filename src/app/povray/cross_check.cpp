@@ -107,8 +107,7 @@ class CrossChecking {
   Status ask_exported() {
     const auto exported = export_pov(scene_, checked_.sources, checked_.images, checked_.name);
     if (!exported) return exported.error();
-    result_.deviations = exported.value().deviations;
-    result_.deviation_texts = deviation_texts(result_.deviations, checked_.sources);
+    result_.deviation_texts = deviation_texts(exported.value().deviations, checked_.sources);
     const fs::path file = folder_ / (checked_.name + kPovSuffix);
     for (const PovFile& picture : exported.value().files) {
       const Status written = write_file_atomic(folder_ / picture.name, picture.bytes);

@@ -37,7 +37,6 @@ struct CrossCheck {
   std::string scene_text;
   render::FloatBuffer ours;
   double our_seconds = 0;  // rendering alone
-  std::vector<Deviation> deviations;
   std::vector<std::string> deviation_texts;
   std::vector<Witness> witnesses;
 

@@ -1,5 +1,5 @@
 // app/povray: lights.
-#include <cmath>
+#include <algorithm>
 
 #include "app/povray/exporter.h"
 #include "app/povray/reach.h"
