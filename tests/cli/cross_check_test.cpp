@@ -130,6 +130,34 @@ TEST_F(CrossCheck, ABrokenFileOfTolerancesIsNamed) {
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("expected.json"), HasSubstr("`s.scn`")));
 }
 
+TEST_F(CrossCheck, AToleranceOfNoSceneIsAnError) {
+  write("expected.json", R"({"sc.scn": {"rmse": 1, "reason": "misspelt"}})");
+  const Outcome outcome = check({"s.scn"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("expected.json"), HasSubstr("no scene `sc.scn`")));
+}
+
+// A file beside the scene is a second witness, unless we wrote it ourselves or it is not wanted.
+TEST_F(CrossCheck, OnlyWhatWasWrittenByHandIsASecondWitness) {
+  EXPECT_EQ(run({"export-pov", "s.scn", "-o", "s.pov"}).code, 0);
+  EXPECT_THAT(check({"s.scn"}).err, Not(HasSubstr("(by hand)")));
+  write("s.pov", "// mine\n");
+  EXPECT_THAT(check({"s.scn"}).err, HasSubstr("(by hand)"));
+  EXPECT_THAT(check({"s.scn", "--exported-only"}).err, Not(HasSubstr("(by hand)")));
+}
+
+// Where the two cutoffs work differently there is none on either side; else the scene's stays.
+TEST_F(CrossCheck, ACutoffThatWorksDifferentlyIsLeftOut) {
+  const std::string head =
+      "#scn 1\nrender { size <16, 12>  cutoff 0.25 }\n"
+      "camera perspective { position <0, 0, -5> }\nsphere { material mirror { ";
+  write("grey.scn", head + "color rgb(0.5) } }\n");
+  write("red.scn", head + "color rgb(0.5, 0.25, 0.25) } }\n");
+  check({"grey.scn", "red.scn", "--report", "r"});
+  EXPECT_THAT(read("r/grey.pov"), HasSubstr("adc_bailout 0.25\n"));
+  EXPECT_THAT(read("r/red.pov"), HasSubstr("adc_bailout 0\n"));
+}
+
 // Two folders, and a scene called as the second of two.
 TEST_F(CrossCheck, ScenesOfOneNameDoNotShareFiles) {
   for (const char* const folder : {"a", "b", "c"})

@@ -178,5 +178,33 @@ TEST(ExportPov, TrianglesOfOneMaterialAreOneMesh) {
   EXPECT_EQ(meshes, 1U);
 }
 
+// POV-Ray refuses longer maps, so they are refused here, with their line.
+TEST(ExportPov, GradientsOfManyStopsAreALimit) {
+  const auto stops = [](int count) {
+    std::string list;
+    for (int i = 0; i < count; ++i)
+      list +=
+          (i == 0 ? "[" : ", [") + std::to_string(i) + ", rgb(" + (i % 2 == 0 ? "0" : "1") + ")]";
+    return "[" + list + "]";
+  };
+  const auto textured = [&](int count) {
+    return "sphere { material diffuse { color gradient(" + stops(count) + ") } }\n";
+  };
+  const auto sky = [&](int count) {
+    return "background gradient { stops " + stops(count) + " }\n";
+  };
+  const auto code_of = [](const std::string& text) -> std::optional<ErrorCode> {
+    const ReadScene read = read_scene(text);
+    const auto result = export_pov(read.scene, read.sources, read.images, "stem");
+    if (result) return std::nullopt;
+    EXPECT_NE(result.error().message.find("257 stops"), std::string::npos);
+    return result.error().code;
+  };
+  EXPECT_EQ(code_of(textured(256)), std::nullopt);
+  EXPECT_EQ(code_of(textured(257)), ErrorCode::limit);
+  EXPECT_EQ(code_of(sky(256) + "sphere { material diffuse { } }\n"), std::nullopt);
+  EXPECT_EQ(code_of(sky(257) + "sphere { material diffuse { } }\n"), ErrorCode::limit);
+}
+
 }  // namespace
 }  // namespace alhazen
