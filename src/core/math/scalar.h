@@ -56,6 +56,34 @@ struct ScalarTraits<Quad> {
 };
 #endif
 
+// A kernel that is a template on Real serves one ray or lanes of rays (render/simd/lanes.h). What
+// it decides is then a MaskOf<Real>, and it selects where it would branch; for one number these are
+// a bool and the conditional operator.
+template <class Real>
+struct LaneTraits {
+  using Scalar = Real;
+  using Mask = bool;
+  using Int = int;  // small whole numbers that go with a Real: faces
+  static constexpr int kWidth = 1;
+};
+template <class Real>
+using ScalarOf = typename LaneTraits<Real>::Scalar;
+template <class Real>
+using MaskOf = typename LaneTraits<Real>::Mask;
+template <class Real>
+using IntOf = typename LaneTraits<Real>::Int;
+
+template <class T>
+constexpr T select(bool condition, T yes, T no) {
+  return condition ? yes : no;
+}
+constexpr bool any(bool condition) {
+  return condition;
+}
+constexpr bool all(bool condition) {
+  return condition;
+}
+
 template <class Real>
 inline Real fused_multiply_add(Real a, Real b, Real c) {
   return ScalarTraits<Real>::fma(a, b, c);
@@ -73,11 +101,11 @@ inline Real round_down(Real x) {
   return ScalarTraits<Real>::floor(x);
 }
 template <class Real>
-inline bool is_finite(Real x) {
+inline MaskOf<Real> is_finite(Real x) {
   return ScalarTraits<Real>::is_finite(x);
 }
 template <class Real>
-inline bool is_nan(Real x) {
+inline MaskOf<Real> is_nan(Real x) {
   return ScalarTraits<Real>::is_nan(x);
 }
 template <class Real>
@@ -90,11 +118,11 @@ constexpr Real pi() {
 }
 template <class Real>
 constexpr Real smaller(Real a, Real b) {
-  return b < a ? b : a;
+  return select(b < a, b, a);
 }
 template <class Real>
 constexpr Real larger(Real a, Real b) {
-  return a < b ? b : a;
+  return select(a < b, b, a);
 }
 
 // a*b - c*d with an error of at most 1.5 ulp, however much cancels (Kahan; Jeannerod, Louvet and

@@ -27,7 +27,7 @@ struct Vec3 {
   friend constexpr Vec3 operator*(Real s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
   friend constexpr Vec3 operator*(Vec3 a, Real s) { return {a.x * s, a.y * s, a.z * s}; }
   friend constexpr Vec3 operator/(Vec3 a, Real s) { return {a.x / s, a.y / s, a.z / s}; }
-  friend constexpr bool operator==(Vec3 a, Vec3 b) {
+  friend constexpr MaskOf<Real> operator==(Vec3 a, Vec3 b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
   }
 };
@@ -66,8 +66,15 @@ inline Vec3<Real> normalized(Vec3<Real> a) {
   return a / length(a);
 }
 template <class Real>
-inline bool is_finite(Vec3<Real> a) {
+inline MaskOf<Real> is_finite(Vec3<Real> a) {
   return is_finite(a.x) && is_finite(a.y) && is_finite(a.z);
+}
+
+// Component by component, as of numbers.
+template <class Real>
+constexpr Vec3<Real> select(MaskOf<Real> condition, Vec3<Real> yes, Vec3<Real> no) {
+  return {select(condition, yes.x, no.x), select(condition, yes.y, no.y),
+          select(condition, yes.z, no.z)};
 }
 
 // A colour or a spectral weight in the scene-linear working space.
@@ -91,17 +98,24 @@ struct Rgb {
   friend constexpr Rgb operator*(Rgb a, Real s) { return {a.r * s, a.g * s, a.b * s}; }
   friend constexpr Rgb operator/(Rgb a, Real s) { return {a.r / s, a.g / s, a.b / s}; }
   constexpr Rgb& operator+=(Rgb other) { return *this = *this + other; }
-  friend constexpr bool operator==(Rgb p, Rgb q) { return p.r == q.r && p.g == q.g && p.b == q.b; }
+  friend constexpr MaskOf<Real> operator==(Rgb p, Rgb q) {
+    return p.r == q.r && p.g == q.g && p.b == q.b;
+  }
 };
 
 using Rgbd = Rgb<double>;
 
 template <class Real>
+constexpr Rgb<Real> select(MaskOf<Real> condition, Rgb<Real> yes, Rgb<Real> no) {
+  return {select(condition, yes.r, no.r), select(condition, yes.g, no.g),
+          select(condition, yes.b, no.b)};
+}
+template <class Real>
 constexpr Real largest_channel(Rgb<Real> c) {
   return larger(c.r, larger(c.g, c.b));
 }
 template <class Real>
-constexpr bool is_black(Rgb<Real> c) {
+constexpr MaskOf<Real> is_black(Rgb<Real> c) {
   return c.r == Real(0) && c.g == Real(0) && c.b == Real(0);
 }
 
