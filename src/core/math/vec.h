@@ -2,6 +2,8 @@
 // which frame a vector lives in is said by the name of the variable that holds it.
 #pragma once
 
+#include <concepts>
+
 #include "core/math/scalar.h"
 
 namespace alhazen {
@@ -70,9 +72,11 @@ inline MaskOf<Real> is_finite(Vec3<Real> a) {
   return is_finite(a.x) && is_finite(a.y) && is_finite(a.z);
 }
 
-// Component by component, as of numbers.
+// Component by component, as of numbers; of one vector scalar.h selects.
 template <class Real>
-constexpr Vec3<Real> select(MaskOf<Real> condition, Vec3<Real> yes, Vec3<Real> no) {
+requires(!std::same_as<MaskOf<Real>, bool>) constexpr Vec3<Real> select(MaskOf<Real> condition,
+                                                                        Vec3<Real> yes,
+                                                                        Vec3<Real> no) {
   return {select(condition, yes.x, no.x), select(condition, yes.y, no.y),
           select(condition, yes.z, no.z)};
 }
@@ -106,7 +110,9 @@ struct Rgb {
 using Rgbd = Rgb<double>;
 
 template <class Real>
-constexpr Rgb<Real> select(MaskOf<Real> condition, Rgb<Real> yes, Rgb<Real> no) {
+requires(!std::same_as<MaskOf<Real>, bool>) constexpr Rgb<Real> select(MaskOf<Real> condition,
+                                                                       Rgb<Real> yes,
+                                                                       Rgb<Real> no) {
   return {select(condition, yes.r, no.r), select(condition, yes.g, no.g),
           select(condition, yes.b, no.b)};
 }
