@@ -5,216 +5,171 @@
 // depend on W. A comparison gives a LaneMask in the place of a bool; where a kernel for single
 // numbers would branch, it selects (docs/lanes.md).
 //
-// This is the form that the compiler makes something of on any machine. The forms for one
-// instruction set stand in lanes_x86.h; all intrinsics are there.
+// The lanes are kept in registers of the instruction set that the file is compiled for
+// (lane_form.h); all intrinsics stand in this folder.
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 #include "core/math/scalar.h"
+#include "render/simd/lane_mask.h"
 
 namespace alhazen::render {
-
-// A yes or no for each of W lanes of numbers of `Bytes` bytes: lanes of double and of std::int64_t
-// have the same masks.
-template <int Bytes, int W>
-struct LaneMask {
-  std::array<bool, W> lane{};
-
-  LaneMask() = default;
-  LaneMask(bool all) { lane.fill(all); }  // a bool is the same answer in every lane
-
-  // The lanes below `count`: the tail of a list that does not fill the last lanes.
-  static LaneMask first(int count) {
-    LaneMask result;
-    for (int i = 0; i < W; ++i)
-      result.lane[i] = i < count;
-    return result;
-  }
-  // Bit i is lane i.
-  static LaneMask from_bits(std::uint32_t bits) {
-    LaneMask result;
-    for (int i = 0; i < W; ++i)
-      result.lane[i] = ((bits >> i) & 1U) != 0;
-    return result;
-  }
-  std::uint32_t bits() const {
-    std::uint32_t result = 0;
-    for (int i = 0; i < W; ++i)
-      result |= static_cast<std::uint32_t>(lane[i]) << i;
-    return result;
-  }
-  bool operator[](int i) const { return lane[static_cast<std::size_t>(i)]; }
-
-  friend LaneMask operator&&(LaneMask a, LaneMask b) { return from_bits(a.bits() & b.bits()); }
-  friend LaneMask operator||(LaneMask a, LaneMask b) { return from_bits(a.bits() | b.bits()); }
-  friend LaneMask operator!(LaneMask a) { return from_bits(~a.bits()); }
-  friend LaneMask operator==(LaneMask a, LaneMask b) { return from_bits(~(a.bits() ^ b.bits())); }
-  friend LaneMask operator!=(LaneMask a, LaneMask b) { return from_bits(a.bits() ^ b.bits()); }
-};
 
 template <class T, int W>
 struct Lanes {
   using Scalar = T;
-  using Mask = LaneMask<static_cast<int>(sizeof(T)), W>;
+  using Mask = LaneMask<kMaskBytes<T>, W>;
+  using Store = LaneStore<T, W>;
+  using Value = typename Store::Value;
   static constexpr int kWidth = W;
+  static constexpr Form kForm = form_of(static_cast<int>(sizeof(T)), W);
 
-  std::array<T, W> lane{};
+  Value value;
 
-  Lanes() = default;
+  Lanes() : value(Store::broadcast(T{})) {}
   // The same number in every lane. Literals and constants of any arithmetic type are welcome.
   template <class U>
-  requires std::is_arithmetic_v<U> || std::same_as<U, T> Lanes(U value) {
-    lane.fill(static_cast<T>(value));
-  }
+  requires std::is_arithmetic_v<U> || std::same_as<U, T> Lanes(U one)
+      : value(Store::broadcast(static_cast<T>(one))) {}
+  // Each lane as static_cast<T> converts it.
   template <class U>
-  explicit Lanes(const Lanes<U, W>& other) {
-    for (int i = 0; i < W; ++i)
-      set(i, static_cast<T>(other[i]));
+  requires(!std::same_as<U, T>) explicit Lanes(const Lanes<U, W>& other) : Lanes() {
+    if constexpr (kForm == Form::vector && Lanes<U, W>::kForm == Form::vector) {
+      value = __builtin_convertvector(other.value, Value);
+    } else if constexpr (kForm == Form::pair || Lanes<U, W>::kForm == Form::pair) {
+      *this = joined(Lanes<T, W / 2>(other.low()), Lanes<T, W / 2>(other.high()));
+    } else {
+      for (int i = 0; i < W; ++i)
+        set(i, static_cast<T>(other[i]));
+    }
   }
-
-  T operator[](int i) const { return lane[static_cast<std::size_t>(i)]; }
-  void set(int i, T value) { lane[static_cast<std::size_t>(i)] = value; }
-
-  // W numbers from memory, of any alignment, and back.
-  static Lanes load(const T* from) {
+  static Lanes from_value(const Value& value) {
     Lanes result;
-    for (int i = 0; i < W; ++i)
-      result.set(i, from[i]);
+    result.value = value;
     return result;
   }
-  void store(T* to) const {
-    for (int i = 0; i < W; ++i)
-      to[i] = (*this)[i];
+
+  T operator[](int i) const { return Store::get(value, i); }
+  void set(int i, T one) { Store::put(value, i, one); }
+
+  // The lanes below W/2, the others, and both again.
+  Lanes<T, W / 2> low() const { return part<0>(); }
+  Lanes<T, W / 2> high() const { return part<W / 2>(); }
+  static Lanes joined(const Lanes<T, W / 2>& low, const Lanes<T, W / 2>& high) {
+    if constexpr (kForm == Form::pair) {
+      return from_value({low.value, high.value});
+    } else if constexpr (Lanes<T, W / 2>::kForm == Form::vector) {
+      return from_value(joined_vectors<T, W / 2>(low.value, high.value));
+    } else {
+      T numbers[W];
+      low.store(numbers);
+      high.store(numbers + W / 2);
+      return load(numbers);
+    }
   }
+
+  // W numbers from memory, of any alignment, and back.
+  static Lanes load(const T* from) { return from_value(Store::load(from)); }
+  void store(T* to) const { Store::store(value, to); }
   // Stores the lanes of the mask one after the other, in order; how many there were. There must be
   // room for W.
   int store_compressed(Mask which, T* to) const {
-    int count = 0;
-    for (int i = 0; i < W; ++i) {
-      if (which[i]) to[count++] = (*this)[i];
-    }
-    return count;
+    return Store::store_compressed(value, which.value, to);
   }
-  // base[index[i]]; lanes outside of the mask are not read and are 0.
+  // base[index[i]]; lanes outside of the mask are not read and are 0. An index of 32 bits has a
+  // sign, or T has 64 bits.
   template <class Index>
   static Lanes gather(const T* base, const Lanes<Index, W>& index, Mask which = true) {
-    Lanes result;
-    for (int i = 0; i < W; ++i) {
-      if (which[i]) result.set(i, base[index[i]]);
+    if constexpr (kForm != Form::array && sizeof(Index) <= sizeof(T)) {
+      return from_value(Store::gather(base, Lanes<WordOf<T>, W>(index).value, which.value));
+    } else {
+      Lanes result;
+      for_each_lane(which, [&](int i) { result.set(i, base[index[i]]); });
+      return result;
     }
-    return result;
   }
   // 0, 1, ... W - 1.
-  static Lanes iota() {
-    Lanes result;
-    for (int i = 0; i < W; ++i)
-      result.set(i, static_cast<T>(i));
-    return result;
-  }
+  static Lanes iota() { return from_value(Store::iota()); }
 
-#define ALHAZEN_LANES_OPERATOR(op)                  \
-  friend Lanes operator op(Lanes a, Lanes b) {      \
-    Lanes r;                                        \
-    for (int i = 0; i < W; ++i)                     \
-      r.set(i, static_cast<T>(a[i] op b[i]));       \
-    return r;                                       \
-  }                                                 \
-  friend Lanes& operator op##=(Lanes& a, Lanes b) { \
-    return a = a op b;                              \
+#define ALHAZEN_LANES_OPERATOR(op, where)                               \
+  friend Lanes operator op(Lanes a, Lanes b) requires(where) {          \
+    const auto f = [](const auto& p, const auto& q) { return p op q; }; \
+    return from_value(Store::map(f, a.value, b.value));                 \
+  }                                                                     \
+  friend Lanes& operator op##=(Lanes& a, Lanes b) requires(where) {     \
+    return a = a op b;                                                  \
   }
-  ALHAZEN_LANES_OPERATOR(+)
-  ALHAZEN_LANES_OPERATOR(-)
-  ALHAZEN_LANES_OPERATOR(*)
+  ALHAZEN_LANES_OPERATOR(+, true)
+  ALHAZEN_LANES_OPERATOR(-, true)
+  ALHAZEN_LANES_OPERATOR(*, true)
+  ALHAZEN_LANES_OPERATOR(/, !std::is_integral_v<T>)
+  ALHAZEN_LANES_OPERATOR(&, std::is_integral_v<T>)
+  ALHAZEN_LANES_OPERATOR(|, std::is_integral_v<T>)
+  ALHAZEN_LANES_OPERATOR(^, std::is_integral_v<T>)
 #undef ALHAZEN_LANES_OPERATOR
-  friend Lanes operator/(Lanes a, Lanes b) requires(!std::is_integral_v<T>) {
-    Lanes r;
-    for (int i = 0; i < W; ++i)
-      r.set(i, a[i] / b[i]);
-    return r;
-  }
   friend Lanes operator-(Lanes a) {
-    Lanes r;
-    for (int i = 0; i < W; ++i)
-      r.set(i, static_cast<T>(-a[i]));
-    return r;
+    return from_value(Store::map([](const auto& p) { return -p; }, a.value));
   }
-  // Of whole numbers.
-#define ALHAZEN_LANES_OPERATOR(op)                                            \
-  friend Lanes operator op(Lanes a, Lanes b) requires std::is_integral_v<T> { \
-    Lanes r;                                                                  \
-    for (int i = 0; i < W; ++i)                                               \
-      r.set(i, static_cast<T>(a[i] op b[i]));                                 \
-    return r;                                                                 \
-  }
-  ALHAZEN_LANES_OPERATOR(&)
-  ALHAZEN_LANES_OPERATOR(|)
-  ALHAZEN_LANES_OPERATOR(^)
-#undef ALHAZEN_LANES_OPERATOR
   friend Lanes operator<<(Lanes a, int by) requires std::is_integral_v<T> {
-    Lanes r;
-    for (int i = 0; i < W; ++i)
-      r.set(i, static_cast<T>(a[i] << by));
-    return r;
+    return from_value(Store::shifted_up(a.value, by));
   }
   friend Lanes operator>>(Lanes a, int by) requires std::is_integral_v<T> {
-    Lanes r;
-    for (int i = 0; i < W; ++i)
-      r.set(i, static_cast<T>(a[i] >> by));
-    return r;
+    return from_value(Store::shifted_down(a.value, by));
   }
-#define ALHAZEN_LANES_COMPARISON(op)          \
-  friend Mask operator op(Lanes a, Lanes b) { \
-    std::uint32_t bits = 0;                   \
-    for (int i = 0; i < W; ++i)               \
-      bits |= (a[i] op b[i] ? 1U : 0U) << i;  \
-    return Mask::from_bits(bits);             \
+
+#define ALHAZEN_LANES_COMPARISON(op, name)                                                \
+  friend Mask operator op(Lanes a, Lanes b) {                                             \
+    return Mask::from_value(Store::template compare<Comparison::name>(a.value, b.value)); \
   }
-  ALHAZEN_LANES_COMPARISON(==)
-  ALHAZEN_LANES_COMPARISON(!=)
-  ALHAZEN_LANES_COMPARISON(<)
-  ALHAZEN_LANES_COMPARISON(<=)
-  ALHAZEN_LANES_COMPARISON(>)
-  ALHAZEN_LANES_COMPARISON(>=)
+  ALHAZEN_LANES_COMPARISON(==, equal)
+  ALHAZEN_LANES_COMPARISON(!=, unequal)
+  ALHAZEN_LANES_COMPARISON(<, less)
+  ALHAZEN_LANES_COMPARISON(<=, less_equal)
+  ALHAZEN_LANES_COMPARISON(>, greater)
+  ALHAZEN_LANES_COMPARISON(>=, greater_equal)
 #undef ALHAZEN_LANES_COMPARISON
+
+ private:
+  template <int kFirst>
+  Lanes<T, W / 2> part() const {
+    using Half = Lanes<T, W / 2>;
+    if constexpr (kForm == Form::pair) {
+      return Half::from_value(kFirst == 0 ? value.low : value.high);
+    } else if constexpr (Half::kForm == Form::vector) {
+      return Half::from_value(part_of_vector<T, W, W / 2, kFirst>(value));
+    } else {
+      T numbers[W];
+      store(numbers);
+      return Half::load(numbers + kFirst);
+    }
+  }
 };
 
 // yes where the mask is set, no elsewhere.
 template <class T, int W>
 inline Lanes<T, W> select(typename Lanes<T, W>::Mask mask, Lanes<T, W> yes, Lanes<T, W> no) {
-  Lanes<T, W> result;
-  for (int i = 0; i < W; ++i)
-    result.set(i, mask[i] ? yes[i] : no[i]);
-  return result;
+  return Lanes<T, W>::from_value(Lanes<T, W>::Store::blend(mask.value, yes.value, no.value));
 }
-
-template <int Bytes, int W>
-inline bool any(LaneMask<Bytes, W> mask) {
-  return mask.bits() != 0;
+// In one instruction what alhazen::smaller and larger say with two.
+template <std::floating_point T, int W>
+inline Lanes<T, W> smaller(Lanes<T, W> a, Lanes<T, W> b) {
+  return Lanes<T, W>::from_value(Lanes<T, W>::Store::smaller(a.value, b.value));
 }
-template <int Bytes, int W>
-inline bool all(LaneMask<Bytes, W> mask) {
-  return mask.bits() == LaneMask<Bytes, W>(true).bits();
-}
-template <int Bytes, int W>
-inline int count(LaneMask<Bytes, W> mask) {
-  return __builtin_popcount(mask.bits());
-}
-// Calls visit(i) for each lane of the mask, in order.
-template <int Bytes, int W, class Visitor>
-inline void for_each_lane(LaneMask<Bytes, W> mask, const Visitor& visit) {
-  for (std::uint32_t left = mask.bits(); left != 0; left &= left - 1)
-    visit(__builtin_ctz(left));
+template <std::floating_point T, int W>
+inline Lanes<T, W> larger(Lanes<T, W> a, Lanes<T, W> b) {
+  return Lanes<T, W>::from_value(Lanes<T, W>::Store::larger(a.value, b.value));
 }
 
 // The same names for one number, whose answers are bools.
 using alhazen::all;
 using alhazen::any;
+using alhazen::larger;
 using alhazen::select;
+using alhazen::smaller;
 
 }  // namespace alhazen::render
 
@@ -233,35 +188,19 @@ struct LaneTraits<render::Lanes<T, W>> {
 template <class T, int W>
 struct ScalarTraits<render::Lanes<T, W>> {
   using Lanes = render::Lanes<T, W>;
+  using Store = typename Lanes::Store;
   using Mask = typename Lanes::Mask;
   using One = ScalarTraits<T>;
 
-  template <class Function>
-  static Lanes each(Lanes a, const Function& f) {
-    Lanes r;
-    for (int i = 0; i < W; ++i)
-      r.set(i, f(a[i]));
-    return r;
-  }
-  template <class Function>
-  static Mask ask(Lanes a, const Function& f) {
-    std::uint32_t bits = 0;
-    for (int i = 0; i < W; ++i)
-      bits |= (f(a[i]) ? 1U : 0U) << i;
-    return Mask::from_bits(bits);
-  }
   static Lanes fma(Lanes a, Lanes b, Lanes c) {
-    Lanes r;
-    for (int i = 0; i < W; ++i)
-      r.set(i, One::fma(a[i], b[i], c[i]));
-    return r;
+    return Lanes::from_value(Store::fma(a.value, b.value, c.value));
   }
-  static Lanes sqrt(Lanes x) { return each(x, One::sqrt); }
-  static Lanes abs(Lanes x) { return each(x, One::abs); }
-  static Lanes floor(Lanes x) { return each(x, One::floor); }
-  static Mask is_finite(Lanes x) { return ask(x, One::is_finite); }
-  static Mask is_nan(Lanes x) { return ask(x, One::is_nan); }
-  static Mask sign_bit(Lanes x) { return ask(x, One::sign_bit); }
+  static Lanes sqrt(Lanes x) { return Lanes::from_value(Store::sqrt(x.value)); }
+  static Lanes abs(Lanes x) { return Lanes::from_value(Store::abs(x.value)); }
+  static Lanes floor(Lanes x) { return Lanes::from_value(Store::floor(x.value)); }
+  static Mask is_finite(Lanes x) { return abs(x) < Lanes(One::infinity()); }
+  static Mask is_nan(Lanes x) { return x != x; }
+  static Mask sign_bit(Lanes x) { return Mask::from_value(Store::sign_bit(x.value)); }
   static constexpr T infinity() { return One::infinity(); }
   static constexpr T unit_roundoff() { return One::unit_roundoff(); }
   static constexpr T pi() { return One::pi(); }

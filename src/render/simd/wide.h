@@ -7,14 +7,6 @@
 
 namespace alhazen::render {
 
-#if defined(__AVX512F__)
-inline constexpr int kRegisterBytes = 64;
-#elif defined(__AVX2__)
-inline constexpr int kRegisterBytes = 32;
-#else
-inline constexpr int kRegisterBytes = 16;
-#endif
-
 template <class Real>
 inline constexpr int kWideWidth = sizeof(Real) < 16
                                       ? kRegisterBytes / static_cast<int>(sizeof(Real))
