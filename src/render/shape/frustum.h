@@ -41,9 +41,13 @@ struct Cone3 {
   Real x, y, rho;
 };
 
+// Cancels for a ray almost along the side: then b is as small as a, and its error moves t whole.
 template <class Real>
 inline Real product(Cone3<Real> a, Cone3<Real> b) {
-  return fused_multiply_add(a.x, b.x, difference_of_products(a.y, b.y, a.rho, b.rho));
+  const Real around = fused_multiply_add(a.x, b.x, a.y * b.y), along = a.rho * b.rho;
+  const Real terms = absolute(a.x * b.x) + absolute(a.y * b.y) + absolute(along);
+  if (!has_cancelled(around - along, 2 * terms)) return around - along;
+  return (two_product(a.x, b.x) + two_product(a.y, b.y) - two_product(a.rho, b.rho)).hi;
 }
 
 template <class Real>
