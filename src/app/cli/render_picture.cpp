@@ -59,6 +59,7 @@ Result<render::RenderOutput> render_with_progress(const RenderRequest& request,
   options.precision = request.precision;
   if (request.crop) options.crop = *request.crop;
   options.threads = request.threads;
+  options.isa = request.isa;
   options.aovs = request.aovs;
   options.cancel = &interrupted();
   ProgressMeter meter(progress_style(request.progress), job.position, stderr_columns());

@@ -41,6 +41,7 @@ struct RenderRequest {
   render::Precision precision = render::Precision::float64;
   SamplePrecision beauty = SamplePrecision::half;
   int threads = 0;
+  std::optional<render::Isa> isa;  // empty: the widest that runs here
 
   std::string color_file, display, view;  // empty: the default
 

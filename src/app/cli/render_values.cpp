@@ -25,6 +25,12 @@ constexpr Named<FilterKind> kFilters[] = {{"box", FilterKind::box},
 constexpr Named<render::Precision> kPrecisions[] = {{"float", render::Precision::float32},
                                                     {"double", render::Precision::float64},
                                                     {"quad", render::Precision::quad}};
+using AnyIsa = std::optional<render::Isa>;  // none: the widest that runs here
+constexpr Named<AnyIsa> kIsas[] = {{"auto", AnyIsa()},
+                                   {"baseline", render::Isa::baseline},
+                                   {"avx2", render::Isa::avx2},
+                                   {"avx512", render::Isa::avx512}};
+static_assert(std::size(kIsas) == std::size(render::kIsaInfo) + 1);
 constexpr Named<ProgressStyle> kProgressStyles[] = {{"auto", ProgressStyle::automatic},
                                                     {"bar", ProgressStyle::bar},
                                                     {"plain", ProgressStyle::plain},
@@ -149,6 +155,10 @@ Result<ReconstructionFilter> to_filter(const std::string& text) {
 
 Result<render::Precision> to_precision(const std::string& text) {
   return look_up<render::Precision>(text, kPrecisions);
+}
+
+Result<AnyIsa> to_isa(const std::string& text) {
+  return look_up<AnyIsa>(text, kIsas);
 }
 
 Result<ProgressStyle> to_progress_style(const std::string& text) {

@@ -74,6 +74,7 @@ nlohmann::ordered_json to_json(const PictureReport& report) {
       {"window", {report.window.x, report.window.y, report.window.width, report.window.height}},
       {"precision", name(report.precision)},
       {"threads", s.threads},
+      {"isa", render::info(s.isa).name},
       {"samples", s.samples},
       {"rays",
        {{"camera", s.camera_rays},
@@ -117,8 +118,9 @@ std::string statistics_text(const PictureReport& report) {
   const double pixels = double(report.window.width) * double(report.window.height);
   text += fmt::format(", {:.3g} samples a pixel\n", double(s.samples) / pixels);
   text += ray_lines(s) + stage_lines(s);
-  text += fmt::format("  {:<22}{:>10}  ({} CPU on {} threads, {} rays/s)\n", "rendered in",
+  text += fmt::format("  {:<22}{:>10}  ({} CPU on {} threads with {}, {} rays/s)\n", "rendered in",
                       seconds_text(s.wall_seconds), seconds_text(s.cpu_seconds), s.threads,
+                      render::info(s.isa).name,
                       short_count(double(s.rays()) / std::max(s.wall_seconds, 1e-9)));
   text += fmt::format("  {:<22}{:>10}\n", "loaded, written in",
                       seconds_text(report.load_seconds + report.write_seconds));

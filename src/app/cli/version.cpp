@@ -10,6 +10,7 @@
 #include "core/base/library_version.h"
 #include "render/color/library_versions.h"
 #include "render/image/library_versions.h"
+#include "render/wave/isa.h"
 
 namespace alhazen {
 
@@ -37,10 +38,21 @@ std::vector<LibraryVersion> all_libraries() {
   return libraries;
 }
 
+// The instruction sets that the renderer was compiled for.
+std::vector<std::string_view> kernel_names() {
+  std::vector<std::string_view> names;
+  for (const render::IsaInfo& each : render::kIsaInfo) {
+    if (render::is_compiled(each.isa)) names.push_back(each.name);
+  }
+  return names;
+}
+
 std::string as_text() {
   std::string text = fmt::format("alhazen {}\n", program_version());
   if (*ALHAZEN_GIT != '\0') text += fmt::format("  source    {}\n", ALHAZEN_GIT);
   text += fmt::format("  compiler  {}\n  build     {}\n", ALHAZEN_COMPILER, ALHAZEN_BUILD_TYPE);
+  text += fmt::format("  kernels   {} (used: {})\n", fmt::join(kernel_names(), ", "),
+                      render::info(render::usable_isas().back()).name);
   for (const LibraryVersion& library : all_libraries()) {
     text += fmt::format("  library   {} {}", library.name, library.compiled);
     if (!library.loaded.empty() && library.loaded != library.compiled) {
@@ -59,12 +71,15 @@ std::string as_json() {
     if (!library.loaded.empty()) entry["loaded"] = library.loaded;
     libraries.push_back(std::move(entry));
   }
-  const nlohmann::ordered_json out = {{"name", "alhazen"},
-                                      {"version", program_version()},
-                                      {"source", ALHAZEN_GIT},
-                                      {"compiler", ALHAZEN_COMPILER},
-                                      {"build_type", ALHAZEN_BUILD_TYPE},
-                                      {"libraries", libraries}};
+  const nlohmann::ordered_json out = {
+      {"name", "alhazen"},
+      {"version", program_version()},
+      {"source", ALHAZEN_GIT},
+      {"compiler", ALHAZEN_COMPILER},
+      {"build_type", ALHAZEN_BUILD_TYPE},
+      {"kernels", kernel_names()},
+      {"kernels_used", render::info(render::usable_isas().back()).name},
+      {"libraries", libraries}};
   return out.dump(2) + "\n";
 }
 

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#if defined(__GNUC__) && !defined(__clang__) && __has_include(<quadmath.h>)
+#if defined(__GNUC__) && !defined(__clang__) && !defined(ALHAZEN_WITHOUT_QUAD) && \
+    __has_include(<quadmath.h>)
 #define ALHAZEN_HAS_QUAD 1
 #include <quadmath.h>
 #else

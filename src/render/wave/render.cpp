@@ -21,15 +21,9 @@ Result<PixelRect> window_of(const RenderSettings& settings, PixelRect crop) {
                            crop.y, crop.width, crop.height, settings.width, settings.height)};
 }
 
-Result<RenderOutput> render_in(Precision precision, const RenderJob& job) {
-  switch (precision) {
-    case Precision::float32:
-      return render_in_float(job);
-    case Precision::float64:
-      return render_in_double(job);
-    case Precision::quad:
-      break;
-  }
+Result<RenderOutput> render_in(Precision precision, Isa isa, const RenderJob& job) {
+  if (precision == Precision::float32) return render_functions(isa).in_float(job);
+  if (precision == Precision::float64) return render_functions(isa).in_double(job);
 #if ALHAZEN_HAS_QUAD
   return render_in_quad(job);
 #else
@@ -43,11 +37,21 @@ Result<RenderOutput> render(const Scene& scene, const std::vector<ImagePixels>& 
                             const RenderOptions& options, const ProgressListener& progress) {
   const Result<PixelRect> window = window_of(scene.settings, options.crop);
   if (!window) return window.error();
+  const Isa isa = options.isa.value_or(usable_isas().back());
+  if (!is_compiled(isa) || !runs_here(isa)) {
+    return Error{
+        ErrorCode::unsupported,
+        fmt::format("the instruction set {} is not {}: it needs {}", info(isa).name,
+                    is_compiled(isa) ? "that of this processor" : "in this build", info(isa).text)};
+  }
   const AovRequest& aovs = options.aovs;
   const StagePlan plan =
       make_plan(scene, effects_of(scene), {aovs.albedo, aovs.signature, aovs.margin});
   try {
-    return render_in(options.precision, {scene, images, options, plan, window.value(), progress});
+    auto output =
+        render_in(options.precision, isa, {scene, images, options, plan, window.value(), progress});
+    if (output) output.value().statistics.isa = isa;
+    return output;
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::limit, "out of memory"};
   }

@@ -5,11 +5,13 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/scene/scene.h"
+#include "render/wave/isa.h"
 #include "render/wave/plan.h"
 
 namespace alhazen::render {
@@ -47,8 +49,9 @@ struct AovRequest {
 
 struct RenderOptions {
   Precision precision = Precision::float64;
-  PixelRect crop;   // empty: the whole frame
-  int threads = 0;  // 0: one a core
+  PixelRect crop;          // empty: the whole frame
+  int threads = 0;         // 0: one a core
+  std::optional<Isa> isa;  // empty: the widest that runs here; no bit depends on it
   AovRequest aovs;
   const std::atomic<bool>* cancel = nullptr;  // looked at between batches
 };
@@ -89,6 +92,7 @@ struct RenderStatistics {
   std::vector<StageCost> stages;  // in the order of the plan
   double wall_seconds = 0, cpu_seconds = 0;
   int threads = 0;
+  Isa isa = Isa::baseline;
 
   std::uint64_t rays() const {
     return camera_rays + reflection_rays + refraction_rays + shadow_rays;
@@ -105,9 +109,10 @@ struct RenderOutput {
 using ProgressListener = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
 // Renders `scene` with its settings as they stand. `images` parallels Scene::images. The picture is
-// a function of scene, images, precision and crop alone: the same bits for any number of threads.
-// Errors: usage for a crop outside of the frame, unsupported for quad in a build without it, limit
-// when memory runs out, stopped when the run was cancelled.
+// a function of scene, images, precision and crop alone: the same bits for any number of threads
+// and any instruction set.
+// Errors: usage for a crop outside of the frame, unsupported for quad or an instruction set that is
+// not there, limit when memory runs out, stopped when the run was cancelled.
 Result<RenderOutput> render(const Scene& scene, const std::vector<ImagePixels>& images,
                             const RenderOptions& options, const ProgressListener& progress = {});
 
