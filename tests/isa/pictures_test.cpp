@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
+#include "core/base/hash.h"
 #include "parser/eval/evaluate.h"
 #include "render/wave/render.h"
 #include "support/busy_scene.h"

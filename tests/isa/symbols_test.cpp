@@ -13,7 +13,7 @@ namespace {
 std::vector<std::string> sealed_objects() {
   std::vector<std::string> objects;
   std::istringstream list(ALHAZEN_SEALED_OBJECTS);
-  for (std::string path; std::getline(list, path, ';');)
+  for (std::string path; std::getline(list, path, ':');)
     objects.push_back(path);
   return objects;
 }
