@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/overloaded.h"
-#include "core/scene/effect.h"
+#include "core/scene/live.h"
 
 namespace alhazen {
 namespace {
@@ -27,7 +27,7 @@ bool differs(const PovFinish& m, const std::optional<Rgbd>& color) {
 
 std::optional<SourceSpan> cutoff_difference(const Scene& scene) {
   if (scene.settings.cutoff == 0) return std::nullopt;
-  const std::vector<std::optional<Rgbd>> solid = solid_colors(scene);
+  const SolidColors solid = solid_colors(scene);
   const auto found = std::ranges::find_if(scene.materials, [&](const Material& material) {
     return std::visit(
         Overloaded{[](const Diffuse&) { return false; }, [](const Black&) { return false; },

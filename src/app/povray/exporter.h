@@ -10,6 +10,7 @@
 #include "app/povray/export_pov.h"
 #include "app/povray/pov_writer.h"
 #include "core/scene/effect.h"
+#include "core/scene/live.h"
 
 namespace alhazen {
 
@@ -19,8 +20,8 @@ struct Exporter {
   const std::vector<render::ImagePixels>& images;
   std::string stem;
   EffectSet effects;
-  std::vector<std::optional<Rgbd>> solid;  // solid_colors(scene)
-  Rgbd ambient;                            // of all ambient lights that shine
+  SolidColors solid;
+  Rgbd ambient;  // of all ambient lights that shine
   PovWriter out;
   std::vector<Deviation> deviations;
   std::set<std::tuple<DeviationKind, FileId, std::uint32_t>> known_deviations;

@@ -1,9 +1,11 @@
 #include "core/scene/effect.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 
 #include "core/base/overloaded.h"
+#include "core/scene/live.h"
 
 namespace alhazen {
 namespace {
@@ -23,13 +25,15 @@ bool is_area(const LightSource& source) {
 // What the walk over materials carries along: textures share children, so each is visited once.
 struct Walk {
   const Scene& scene;
-  std::vector<std::optional<Rgbd>> solid;
-  std::vector<bool> visited;
+  const Surroundings around;
+  const bool albedo_channel;
   EffectSet& set;
+  std::vector<bool> visited = std::vector<bool>(scene.textures.size());
+  bool answers_evenly = false;  // some surface would be lit by an even sky
 };
 
 void call_texture(Walk& walk, TextureId id) {
-  if (walk.solid[id] || walk.visited[id]) return;
+  if (walk.around.solid[id] || walk.visited[id]) return;
   walk.visited[id] = true;
   const Texture& texture = walk.scene.textures[id];
   walk.set.call(Effect::textures, texture.span);
@@ -38,7 +42,7 @@ void call_texture(Walk& walk, TextureId id) {
                  [&](const ImagePattern&) { walk.set.call(Effect::image_textures, texture.span); },
                  [&](const BrickPattern& p) {
                    call_texture(walk, p.brick);
-                   call_texture(walk, p.mortar);
+                   if (p.mortar_width > 0) call_texture(walk, p.mortar);
                  },
                  [&](const auto& p) {
                    call_texture(walk, p.even);
@@ -47,71 +51,91 @@ void call_texture(Walk& walk, TextureId id) {
       texture.pattern);
 }
 
-void call_pov_finish(Walk& walk, const PovFinish& m, SourceSpan by) {
-  const bool is_black_body = walk.solid[m.color] && is_black(*walk.solid[m.color]);
-  const bool colored = !is_black_body && opacity(m) > 0;
-  const bool glows = !is_black(m.ambient) || !is_black(m.emission);
-  const bool reflects = !is_black(m.reflection.min) || !is_black(m.reflection.max);
-  EffectSet& set = walk.set;
-  const auto call_if = [&](bool called, Effect effect) {
-    if (called) set.call(effect, by);
-    return called;
-  };
-  const bool shades =
-      call_if((colored && m.diffuse > 0) || m.phong > 0 || m.specular > 0, Effect::pov_finish);
-  const bool shows = call_if(colored && glows, Effect::pov_glow);
-  const bool mirrors = call_if(reflects, Effect::pov_reflection);
-  const bool passes = call_if(lets_light_through(m, walk.solid), Effect::pov_transmission);
-  if (shades || shows || mirrors || passes) call_texture(walk, m.color);
-}
+// What each material does with a ray or with light, and whether its normal matters to it.
+class Caller {
+ public:
+  Caller(Walk& walk, SourceSpan by) : walk_(walk), around_(walk.around), by_(by) {}
 
-void call_scattering(Walk& walk, const Material& material, SourceSpan by) {
-  EffectSet& set = walk.set;
-  const auto is_zero = [&](TextureId id) { return walk.solid[id] && is_black(*walk.solid[id]); };
-  std::visit(Overloaded{[&](const Diffuse& m) {
-                          if (!is_black(m.highlight.strength)) {
-                            set.call(Effect::highlights, material.span);
-                          } else if (is_zero(m.albedo)) {
-                            return;
-                          } else {
-                            set.call(Effect::matte, material.span);
-                          }
-                          call_texture(walk, m.albedo);
-                        },
-                        [&](const Mirror& m) {
-                          if (is_zero(m.reflectance)) return;
-                          set.call(Effect::mirror, material.span);
-                          call_texture(walk, m.reflectance);
-                        },
-                        [&](const Metal&) { set.call(Effect::metal, material.span); },
-                        [&](const Glass& m) {
-                          set.call(Effect::refraction, material.span);
-                          if (!is_black(m.absorption)) set.call(Effect::absorption, material.span);
-                        },
-                        [&](const Coat& m) {
-                          set.call(Effect::coat, material.span);
-                          if (is_zero(m.base_albedo)) return;
-                          set.call(Effect::coat_base, material.span);
-                          call_texture(walk, m.base_albedo);
-                        },
-                        [](const Black&) {},
-                        [&](const PovFinish& m) { call_pov_finish(walk, m, material.span); }},
-             material.scattering);
-  if (!is_black(material.emission)) set.call(Effect::emission, by);
+  bool operator()(const Diffuse& m) {
+    const bool has_color = shows_color(m.albedo, around_);
+    walk_.answers_evenly = walk_.answers_evenly || has_color;
+    const bool glossy = call_if(shows_highlight(m, around_), Effect::highlights);
+    const bool matte = !glossy && call_if(has_color, Effect::matte);
+    color(m.albedo, has_color);
+    return glossy || matte;
+  }
+  bool operator()(const Mirror& m) {
+    const bool mirrors = call_if(!is_black(around_.solid, m.reflectance), Effect::mirror);
+    color(m.reflectance, mirrors);
+    return mirrors;
+  }
+  bool operator()(const Metal& m) { return call_if(reflects(m, around_), Effect::metal); }
+  bool operator()(const Glass& m) {
+    call_if(!is_black(m.absorption), Effect::absorption);
+    return call_if(true, Effect::refraction);
+  }
+  bool operator()(const Coat& m) {
+    const bool has_base = call_if(shows_color(m.base_albedo, around_), Effect::coat_base);
+    walk_.answers_evenly = walk_.answers_evenly || has_base;
+    color(m.base_albedo, has_base);
+    return call_if(true, Effect::coat);
+  }
+  bool operator()(const Black&) { return false; }
+  bool operator()(const PovFinish& m) {
+    walk_.answers_evenly = walk_.answers_evenly || shows_diffuse(m, around_);
+    const bool shades = call_if(answers_to_lights(m, around_), Effect::pov_finish);
+    const bool shows = call_if(glows(m, around_.solid), Effect::pov_glow);
+    const bool mirrors = call_if(reflects(m, around_), Effect::pov_reflection);
+    const bool passes = call_if(lets_light_through(m, around_.solid), Effect::pov_transmission);
+    color(m.color, shades || shows || mirrors || passes);
+    return shades || mirrors || passes;
+  }
+
+ private:
+  bool call_if(bool called, Effect effect) {
+    if (called) walk_.set.call(effect, by_);
+    return called;
+  }
+  void color(TextureId texture, bool is_seen) {
+    if (is_seen || walk_.albedo_channel) call_texture(walk_, texture);
+  }
+
+  Walk& walk_;
+  const Surroundings& around_;
+  SourceSpan by_;
+};
+
+void call_surfaces(Walk& walk) {
+  enum class Answer : std::uint8_t { unknown, with_normal, without };
+  std::vector<Answer> answers(walk.scene.materials.size(), Answer::unknown);
+  for (const Shape& shape : walk.scene.shapes) {
+    Answer& answer = answers[shape.material];
+    if (answer == Answer::unknown) {
+      const Material& material = walk.scene.materials[shape.material];
+      const bool is_shaded = std::visit(Caller(walk, material.span), material.scattering);
+      answer = is_shaded ? Answer::with_normal : Answer::without;
+      if (!is_black(material.emission)) walk.set.call(Effect::emission, shape.span);
+    }
+    const auto* triangle = std::get_if<Triangle>(&shape.geometry);
+    if (triangle && triangle->normals && answer == Answer::with_normal) {
+      walk.set.call(Effect::smooth_normals, shape.span);
+    }
+  }
 }
 
 bool has_any(const EffectSet& set, std::initializer_list<Effect> effects) {
   return std::any_of(effects.begin(), effects.end(), [&](Effect e) { return set.has(e); });
 }
 
-void call_lights(const Scene& scene, EffectSet& set) {
+void call_lights(const Scene& scene, bool answers_evenly, EffectSet& set) {
   // Mirrors, metals and glass show lights as things; only these surfaces answer to them.
   if (!has_any(set, {Effect::matte, Effect::highlights, Effect::coat_base, Effect::pov_finish}))
     return;
   for (const Light& light : scene.lights) {
     if (!shines(light)) continue;
-    set.call(effect_of(light.source), light.span);
-    if (std::holds_alternative<AmbientLight>(light.source)) continue;
+    const bool is_placed = !std::holds_alternative<AmbientLight>(light.source);
+    if (is_placed || answers_evenly) set.call(effect_of(light.source), light.span);
+    if (!is_placed) continue;
     set.call(Effect::direct_light, light.span);
     if (!light.casts_shadows) continue;
     set.call(Effect::shadows, light.span);
@@ -151,8 +175,11 @@ void call_sampling(const Scene& scene, EffectSet& set) {
   if (perspective && perspective->lens && perspective->lens->aperture_radius > 0) {
     set.call(Effect::depth_of_field, scene.camera.span);
   }
-  if (scene.settings.samples > 1) set.call(Effect::antialiasing, scene.settings.span);
-  if (scene.settings.adaptive) set.call(Effect::adaptive_sampling, scene.settings.span);
+  const RenderSettings& settings = scene.settings;
+  if (settings.samples > 1) set.call(Effect::antialiasing, settings.span);
+  if (settings.adaptive && settings.adaptive->min_samples < settings.samples) {
+    set.call(Effect::adaptive_sampling, settings.span);
+  }
 }
 
 }  // namespace
@@ -165,56 +192,11 @@ void EffectSet::call(Effect effect, SourceSpan by) {
   }
 }
 
-bool shines(const Light& light) {
-  return std::visit(
-      Overloaded{[](const PointLight& l) { return !is_black(l.intensity); },
-                 [](const DirectionalLight& l) { return !is_black(l.irradiance); },
-                 [](const SpotLight& l) { return !is_black(l.intensity) && l.outer_angle_deg > 0; },
-                 [](const auto& area) { return !is_black(area.radiance); }},
-      light.source);
-}
-
-std::vector<std::optional<Rgbd>> solid_colors(const Scene& scene) {
-  std::vector<std::optional<Rgbd>> solid;
-  const auto same = [&](TextureId a, TextureId b) -> std::optional<Rgbd> {
-    return solid[a] && solid[b] && *solid[a] == *solid[b] ? solid[a] : std::nullopt;
-  };
-  for (const Texture& texture : scene.textures) {
-    solid.push_back(std::visit(
-        Overloaded{[](const SolidPattern& p) { return std::optional(p.color); },
-                   [](const GradientPattern& p) -> std::optional<Rgbd> {
-                     const Rgbd first = p.stops.front().color;
-                     const bool equal =
-                         std::all_of(p.stops.begin(), p.stops.end(),
-                                     [&](const GradientStop& s) { return s.color == first; });
-                     return equal ? std::optional(first) : std::nullopt;
-                   },
-                   [](const ImagePattern&) -> std::optional<Rgbd> { return std::nullopt; },
-                   [&](const BrickPattern& p) { return same(p.brick, p.mortar); },
-                   [&](const auto& p) { return same(p.even, p.odd); }},
-        texture.pattern));
-  }
-  return solid;
-}
-
-bool lets_light_through(const PovFinish& finish, const std::vector<std::optional<Rgbd>>& solid) {
-  const std::optional<Rgbd>& color = solid[finish.color];
-  return finish.transmit > 0 || (finish.filter > 0 && !(color && is_black(*color)));
-}
-
-EffectSet derive_effects(const Scene& scene) {
+EffectSet derive_effects(const Scene& scene, bool albedo_channel) {
   EffectSet set;
-  Walk walk{scene, solid_colors(scene), std::vector<bool>(scene.textures.size()), set};
-  std::vector<bool> seen(scene.materials.size());
-  for (const Shape& shape : scene.shapes) {
-    if (const auto* triangle = std::get_if<Triangle>(&shape.geometry)) {
-      if (triangle->normals) set.call(Effect::smooth_normals, shape.span);
-    }
-    if (seen[shape.material]) continue;
-    seen[shape.material] = true;
-    call_scattering(walk, scene.materials[shape.material], shape.span);
-  }
-  call_lights(scene, set);
+  Walk walk{scene, surroundings_of(scene), albedo_channel, set};
+  call_surfaces(walk);
+  call_lights(scene, walk.answers_evenly, set);
   call_background(scene, set);
   call_sampling(scene, set);
   return set;

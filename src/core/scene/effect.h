@@ -25,6 +25,9 @@ inline constexpr EffectInfo kEffectInfo[] = {
 #undef ALHAZEN_EFFECT
 };
 inline constexpr std::size_t kEffectCount = std::size(kEffectInfo);
+constexpr const EffectInfo& info(Effect effect) {
+  return kEffectInfo[static_cast<std::size_t>(effect)];
+}
 
 class EffectSet {
  public:
@@ -40,14 +43,8 @@ class EffectSet {
   std::array<std::vector<SourceSpan>, kEffectCount> callers_;
 };
 
-EffectSet derive_effects(const Scene& scene);
-
-// Whether a light adds anything to any picture.
-bool shines(const Light& light);
-// For each texture the colour that it has everywhere, or nothing.
-std::vector<std::optional<Rgbd>> solid_colors(const Scene& scene);
-
-// Whether some light passes such a surface; `solid` as from solid_colors.
-bool lets_light_through(const PovFinish& finish, const std::vector<std::optional<Rgbd>>& solid);
+// `albedo_channel`: the picture is wanted with the colours of surfaces that no light and no ray
+// asks for.
+EffectSet derive_effects(const Scene& scene, bool albedo_channel = false);
 
 }  // namespace alhazen

@@ -1,6 +1,7 @@
 // core/scene: textures: a colour for each point of a surface.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -48,6 +49,10 @@ struct GradientStop {
 struct GradientPattern {
   std::vector<GradientStop> stops;  // at least one
 };
+inline bool is_one_color(const std::vector<GradientStop>& stops) {
+  return std::all_of(stops.begin(), stops.end(),
+                     [&](const GradientStop& stop) { return stop.color == stops.front().color; });
+}
 enum class ImageWrap { repeat, clamp, mirror };
 enum class ImageFilter { bilinear, nearest };
 // The image fills [0,1]^2 of (x, y), its first row at y = 1.

@@ -5,6 +5,7 @@
 
 #include "core/base/overloaded.h"
 #include "core/math/error_free.h"
+#include "core/scene/built_in.h"
 
 namespace alhazen::render {
 namespace {
@@ -68,6 +69,7 @@ auto TextureTable<Real>::make_node(const Texture& texture, std::span<const Image
                                  return choice(node, PatternKind::stripes, p.even, p.odd);
                                },
                                [&](const BrickPattern& p) {
+                                 if (p.mortar_width == 0) return nodes_[p.brick];
                                  node.size = Vec3<Real>(p.size);
                                  node.mortar = static_cast<Real>(p.mortar_width);
                                  return choice(node, PatternKind::brick, p.brick, p.mortar);
@@ -102,10 +104,7 @@ auto TextureTable<Real>::choice(Node node, PatternKind kind, TextureId first,
 template <class Real>
 auto TextureTable<Real>::gradient(Node node, const GradientPattern& pattern) -> Node {
   const auto& stops = pattern.stops;
-  const bool one_color = std::all_of(stops.begin(), stops.end(), [&](const GradientStop& stop) {
-    return stop.color == stops.front().color;
-  });
-  if (one_color) {
+  if (is_one_color(stops)) {
     node.kind = PatternKind::solid;
     node.color = Rgb<Real>(stops.front().color);
     return node;
@@ -151,7 +150,10 @@ Rgb<Real> TextureTable<Real>::color(TextureId id, const TexturePoint<Real>& poin
         return gradient_color<Real>({stops_.data() + node->first, stops_.data() + node->second},
                                     p.x);
       case PatternKind::image:
-        return within_unit(image_color(node->image, p.x, p.y, node->wrap, node->filter));
+        if constexpr (is_built_in(Effect::image_textures)) {
+          return within_unit(image_color(node->image, p.x, p.y, node->wrap, node->filter));
+        }
+        break;
       case PatternKind::solid:
         break;
     }

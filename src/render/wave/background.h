@@ -14,14 +14,11 @@ namespace alhazen::render {
 template <class Real>
 class BackgroundRadiance {
  public:
-  BackgroundRadiance(const Background& background, const std::vector<ImagePixels>& images)
-      : kind_(static_cast<Kind>(background.source.index())) {
+  BackgroundRadiance(const Background& background, const std::vector<ImagePixels>& images) {
     if (const auto* solid = std::get_if<SolidBackground>(&background.source)) {
       color_ = Rgb<Real>(solid->color);
     } else if (const auto* gradient = std::get_if<GradientBackground>(&background.source)) {
-      for (const GradientStop& stop : gradient->stops) {
-        stops_.push_back({static_cast<Real>(stop.position), Rgb<Real>(stop.color)});
-      }
+      set_stops(gradient->stops);
     } else if (const auto* picture = std::get_if<EnvironmentBackground>(&background.source)) {
       const ImagePixels& image = images[picture->image];
       image_ = {image.rgb.data(), image.width, image.height};
@@ -30,22 +27,13 @@ class BackgroundRadiance {
     }
   }
 
-  // The radiance from direction `d`, unit length to rounding, world frame.
-  Rgb<Real> operator()(Vec3<Real> d) const {
-    switch (kind_) {
-      case Kind::solid:
-        return color_;
-      case Kind::gradient:
-        return gradient_color<Real>(stops_, d.y);
-      default:
-        return picture(d);
-    }
+  // The radiance from direction `d`, unit length to rounding, world frame, of a colour or a
+  // gradient.
+  Rgb<Real> plain(Vec3<Real> d) const {
+    return stops_.empty() ? color_ : gradient_color<Real>(stops_, d.y);
   }
 
- private:
-  enum class Kind { solid, gradient, picture };
-
-  // The picture wraps around in azimuth and ends at the poles.
+  // The same of a picture of the surroundings. It wraps around in azimuth and ends at the poles.
   Rgb<Real> picture(Vec3<Real> d) const {
     const Real azimuth = atan2_turns(d.x, d.z) - turns_;
     const Real u = folded(azimuth + Real(0.5), ImageWrap::repeat);
@@ -55,7 +43,15 @@ class BackgroundRadiance {
     return intensity_ * bilinear(image_, columns, rows);
   }
 
-  Kind kind_;
+ private:
+  // A gradient between equal colours is that colour.
+  void set_stops(const std::vector<GradientStop>& stops) {
+    color_ = Rgb<Real>(stops.front().color);
+    if (is_one_color(stops)) return;
+    for (const GradientStop& stop : stops)
+      stops_.push_back({static_cast<Real>(stop.position), Rgb<Real>(stop.color)});
+  }
+
   Rgb<Real> color_;
   std::vector<ColorStop<Real>> stops_;
   ImageView image_;

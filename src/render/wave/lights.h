@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/overloaded.h"
-#include "core/scene/effect.h"
+#include "core/scene/live.h"
 #include "render/light/directional_light.h"
 #include "render/light/point_light.h"
 #include "render/light/rectangle_light.h"
@@ -17,7 +17,7 @@ namespace alhazen::render {
 template <class Kernel>
 struct PlacedLight {
   Kernel kernel;
-  LightId id;
+  LightId id;  // among those that shine, so that one that does not changes no random number
   bool casts_shadows;
   ShapeId visible_shape;  // does not shadow its own light
 };
@@ -25,9 +25,10 @@ struct PlacedLight {
 template <class Real>
 struct Lights {
   Lights(const std::vector<Light>& lights, Vec3d world_offset) {
-    for (LightId id = 0; id < lights.size(); ++id) {
-      const Light& light = lights[id];
+    LightId next = 0;
+    for (const Light& light : lights) {
       if (!shines(light)) continue;
+      const LightId id = next++;
       const auto place = [&](auto& list, auto kernel) {
         list.push_back({kernel, id, light.casts_shadows, light.visible_shape});
       };

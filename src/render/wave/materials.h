@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/scene/effect.h"
+#include "core/scene/live.h"
 #include "core/scene/scene.h"
 #include "render/surface/coat.h"
 #include "render/surface/highlight.h"
@@ -37,13 +37,13 @@ template <class Real>
 class MaterialTable {
  public:
   explicit MaterialTable(const Scene& scene) {
-    const std::vector<std::optional<Rgbd>> solid = solid_colors(scene);
+    const Surroundings around = surroundings_of(scene);
     for (const Material& material : scene.materials) {
       MaterialRecord<Real> record;
       record.emission = Rgb<Real>(material.emission);
       record.emits = !is_black(material.emission);
       record.one_sided = material.one_sided_emission;
-      std::visit([&](const auto& m) { fill(m, solid, record); }, material.scattering);
+      std::visit([&](const auto& m) { fill(m, around, record); }, material.scattering);
       records_.push_back(record);
       const auto* glass = std::get_if<Glass>(&material.scattering);
       priorities_.push_back(glass ? glass->priority : 0);
@@ -54,48 +54,44 @@ class MaterialTable {
   const std::vector<int>& priorities() const { return priorities_; }
 
  private:
-  using Solid = std::vector<std::optional<Rgbd>>;
-
-  static void fill(const Diffuse& m, const Solid& solid, MaterialRecord<Real>& record) {
+  static void fill(const Diffuse& m, const Surroundings& around, MaterialRecord<Real>& record) {
     record.color = m.albedo;
-    if (!is_black(m.highlight.strength)) {
+    if (shows_highlight(m, around)) {
       record.lobe = make_highlight_lobe<Real>(m.highlight);
       record.kind = SurfaceKind::glossy;
-    } else if (!is_zero(solid[m.albedo])) {
+    } else if (shows_color(m.albedo, around)) {
       record.kind = SurfaceKind::matte;
     }
   }
-  static void fill(const Mirror& m, const Solid& solid, MaterialRecord<Real>& record) {
+  static void fill(const Mirror& m, const Surroundings& around, MaterialRecord<Real>& record) {
     record.color = m.reflectance;
-    if (!is_zero(solid[m.reflectance])) record.kind = SurfaceKind::mirror;
+    if (!is_black(around.solid, m.reflectance)) record.kind = SurfaceKind::mirror;
   }
-  static void fill(const Metal& m, const Solid&, MaterialRecord<Real>& record) {
-    record.kind = SurfaceKind::metal;
+  static void fill(const Metal& m, const Surroundings& around, MaterialRecord<Real>& record) {
+    if (reflects(m, around)) record.kind = SurfaceKind::metal;
     record.conductor_n = Rgb<Real>(m.n);
     record.conductor_k = Rgb<Real>(m.k);
   }
-  static void fill(const Glass& m, const Solid&, MaterialRecord<Real>& record) {
+  static void fill(const Glass& m, const Surroundings&, MaterialRecord<Real>& record) {
     record.kind = SurfaceKind::glass;
     record.ior = static_cast<Real>(m.ior);
     record.absorption = Rgb<Real>(m.absorption);
   }
-  static void fill(const Coat& m, const Solid&, MaterialRecord<Real>& record) {
+  static void fill(const Coat& m, const Surroundings&, MaterialRecord<Real>& record) {
     record.kind = SurfaceKind::coat;
     record.color = m.base_albedo;
     record.coat = make_coat_layer<Real>(m);
   }
-  static void fill(const PovFinish& m, const Solid& solid, MaterialRecord<Real>& record) {
+  static void fill(const PovFinish& m, const Surroundings& around, MaterialRecord<Real>& record) {
     record.kind = SurfaceKind::pov;
     record.color = m.color;
     record.ior = static_cast<Real>(m.ior);
     record.pov = make_pov_surface<Real>(m);
-    record.pov_glows = !is_zero(solid[m.color]) && !is_black(record.pov.glow);
-    record.pov_reflects = !is_black(m.reflection.min) || !is_black(m.reflection.max);
-    record.pov_clear = lets_light_through(m, solid);
+    record.pov_glows = glows(m, around.solid);
+    record.pov_reflects = reflects(m, around);
+    record.pov_clear = lets_light_through(m, around.solid);
   }
-  static void fill(const Black&, const Solid&, MaterialRecord<Real>&) {}
-
-  static bool is_zero(const std::optional<Rgbd>& color) { return color && is_black(*color); }
+  static void fill(const Black&, const Surroundings&, MaterialRecord<Real>&) {}
 
   std::vector<MaterialRecord<Real>> records_;
   std::vector<int> priorities_;

@@ -78,12 +78,24 @@ void absorb(Wave<Real>& wave) {
     lose(i, infinity<Real>());
 }
 
-template <class Real>
-void add_background(Wave<Real>& wave) {
+template <class Real, class Radiance>
+void add_where_nothing_is(Wave<Real>& wave, const Radiance& radiance) {
   for (const std::uint32_t i : wave.escaped) {
     if (wave.world.transparent_background && wave.rays.source[i].shape == kNoId) continue;
-    wave.add(i, wave.world.background(wave.rays.direction[i]));
+    wave.add(i, radiance(wave.rays.direction[i]));
   }
+}
+
+template <class Real>
+void add_background(Wave<Real>& wave) {
+  const auto& background = wave.world.background;
+  add_where_nothing_is(wave, [&](Vec3<Real> d) { return background.plain(d); });
+}
+
+template <class Real>
+void add_environment(Wave<Real>& wave) {
+  const auto& background = wave.world.background;
+  add_where_nothing_is(wave, [&](Vec3<Real> d) { return background.picture(d); });
 }
 
 // Position and normals, and for textures the coordinates that they ask for. The shading normal is
@@ -115,7 +127,9 @@ void find_plain_colors(Wave<Real>& wave) {
   hits.color.resize(hits.size());
   for (std::size_t h = 0; h < hits.size(); ++h) {
     const TextureId color = wave.world.materials[hits.material[h]].color;
-    if (color != kNoId) hits.color[h] = *wave.world.textures.solid_color(color);
+    if (color == kNoId) continue;
+    // A pattern is met here only where nobody asks for its colour.
+    if (const auto solid = wave.world.textures.solid_color(color)) hits.color[h] = *solid;
   }
 }
 

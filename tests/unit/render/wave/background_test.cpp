@@ -9,7 +9,8 @@ namespace alhazen::render {
 namespace {
 
 Rgbd seen(const Background& background, const std::vector<ImagePixels>& images, Vec3d direction) {
-  return BackgroundRadiance<double>(background, images)(direction);
+  const BackgroundRadiance<double> radiance(background, images);
+  return images.empty() ? radiance.plain(direction) : radiance.picture(direction);
 }
 
 TEST(Background, GradientIsLinearInTheHeightOfTheDirection) {
