@@ -42,10 +42,6 @@ class Filter {
     const double x = profile_.quantile(u), y = profile_.quantile(v);
     return {x, y, profile_.is_negative(x) != profile_.is_negative(y)};
   }
-  // A pixel of one sample looks through its centre exactly, whatever the filter.
-  FilterSample sample(int samples_per_pixel, double u, double v) const {
-    return samples_per_pixel == 1 ? FilterSample{} : sample(u, v);
-  }
 
   // A+ and A-: the integrals of the positive part and of minus the negative part; A+ - A- = 1.
   double positive_integral() const {

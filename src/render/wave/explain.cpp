@@ -73,20 +73,17 @@ std::string explain_json(const StagePlan& plan, const EffectSet& effects,
                               {"called", effects.has(effect)},
                               {"lines", std::move(lines)}});
   }
-  for (const auto* phase : {&plan.start, &plan.generation}) {
-    for (const PlannedStage& stage : *phase) {
-      nlohmann::ordered_json because = nlohmann::ordered_json::array();
-      for (const Effect effect : stage.because) {
-        because.push_back(kEffectInfo[static_cast<std::size_t>(effect)].name);
-      }
-      out["stages"].push_back(
-          {{"name", info(stage.id).name},
-           {"text", info(stage.id).text},
-           {"phase", info(stage.id).phase == Phase::start ? "start" : "generation"},
-           {"because", std::move(because)},
-           {"keeps", info(stage.id).keeps}});
-    }
-  }
+  plan.for_each([&](const PlannedStage& stage) {
+    nlohmann::ordered_json because = nlohmann::ordered_json::array();
+    for (const Effect effect : stage.because)
+      because.push_back(info(effect).name);
+    out["stages"].push_back(
+        {{"name", info(stage.id).name},
+         {"text", info(stage.id).text},
+         {"phase", info(stage.id).phase == Phase::start ? "start" : "generation"},
+         {"because", std::move(because)},
+         {"keeps", info(stage.id).keeps}});
+  });
   return out.dump(2) + "\n";
 }
 

@@ -83,6 +83,7 @@ class Integrator {
       case StageId::weigh_hits:
         return wave_.rays.size();
       case StageId::escape:
+      case StageId::environment:
         return wave_.escaped.size();
       case StageId::emission:
         return wave_.glowing.size();
@@ -113,9 +114,7 @@ class Integrator {
   void run(const StageCall<Real>& stage, std::size_t items) {
     const double before = thread_cpu_seconds();
     stage.function(wave_);
-    const auto index = static_cast<std::size_t>(stage.id);
-    wave_.counters.stage_items[index] += items;
-    wave_.counters.stage_seconds[index] += thread_cpu_seconds() - before;
+    wave_.counters.add(stage.id, items, thread_cpu_seconds() - before);
   }
 
   // Moves rays to `waiting` until at most max_generation_ are left: those of the later samples, or,

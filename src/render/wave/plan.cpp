@@ -1,7 +1,10 @@
 #include "render/wave/plan.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
+
+#include "core/scene/live.h"
 
 namespace alhazen::render {
 namespace {
@@ -14,30 +17,24 @@ class Planner {
   StagePlan plan() {
     add_camera();
     if (!scene_.shapes.empty()) {
-      if (effects_.has(Effect::refraction)) {
-        when(StageId::interfaces, {Effect::refraction});
-      } else if (effects_.has(Effect::pov_transmission)) {
-        when(StageId::interfaces, {Effect::pov_transmission});
-      } else {
-        always(StageId::closest_hits);
-      }
-      when(StageId::absorb, {Effect::absorption});
+      first_of(StageId::interfaces, StageId::closest_hits);
+      when(StageId::absorb);
     }
-    when(StageId::escape, {Effect::background});
+    first_of(StageId::environment, StageId::escape);
     if (!scene_.shapes.empty()) add_surfaces();
+    when(StageId::adaptive_rounds);
     return std::move(plan_);
   }
 
  private:
   void add_camera() {
+    when(StageId::spread_samples);
     if (std::holds_alternative<OrthographicCamera>(scene_.camera.projection)) {
-      always(StageId::parallel_rays);
-    } else if (effects_.has(Effect::depth_of_field)) {
-      when(StageId::lens_rays, {Effect::depth_of_field});
+      when(StageId::parallel_rays);
     } else {
-      always(StageId::pinhole_rays);
+      first_of(StageId::lens_rays, StageId::pinhole_rays);
     }
-    when(StageId::camera_media, {Effect::camera_in_glass});
+    when(StageId::camera_media);
   }
 
   void add_surfaces() {
@@ -52,75 +49,78 @@ class Planner {
     const bool reflecting = effects_.has(Effect::mirror) || effects_.has(Effect::metal) ||
                             effects_.has(Effect::coat) || effects_.has(Effect::refraction);
     if (colored && effects_.has(Effect::textures)) {
-      when(StageId::textured_surfaces, {Effect::textures});
-      when(StageId::textured_colors, {Effect::textures});
+      when(StageId::textured_surfaces, {Effect::smooth_normals});
+      when(StageId::textured_colors, {Effect::image_textures});
     } else {
-      if (colored || reflecting) always(StageId::surfaces);
-      if (colored) always(StageId::plain_colors);
+      if (colored || reflecting) when(StageId::surfaces, {Effect::smooth_normals});
+      if (colored) when(StageId::plain_colors);
     }
     add_decisions(effects_.has(Effect::direct_light) && scattering);
-    when(StageId::emission, {Effect::emission});
-    when(StageId::pov_glow, {Effect::pov_glow});
+    when(StageId::emission);
+    when(StageId::pov_glow);
     add_lights();
-    when(StageId::mirror, {Effect::mirror});
-    when(StageId::metal, {Effect::metal});
-    when(StageId::coat, {Effect::coat});
-    when(StageId::glass, {Effect::refraction});
-    when(StageId::pov_reflection, {Effect::pov_reflection});
-    when(StageId::pov_transmission, {Effect::pov_transmission});
+    when(StageId::mirror);
+    when(StageId::metal);
+    when(StageId::coat);
+    when(StageId::glass);
+    when(StageId::pov_reflection);
+    when(StageId::pov_transmission);
   }
 
   void add_decisions(bool shone_upon) {
     if (wants_.signature) {
-      always(StageId::sign_hits);
-      if (shone_upon) when(StageId::sign_lights, {Effect::direct_light});
+      when(StageId::sign_hits);
+      if (shone_upon) when(StageId::sign_lights);
     }
     if (wants_.margin) {
-      always(StageId::weigh_hits);
-      if (shone_upon) when(StageId::weigh_lights, {Effect::direct_light});
+      when(StageId::weigh_hits);
+      if (shone_upon) when(StageId::weigh_lights);
     }
   }
 
   void add_lights() {
-    constexpr StageId kFirstStage = StageId::ambient_on_matte;
-    constexpr Effect kLights[] = {Effect::ambient_light,      Effect::point_lights,
-                                  Effect::directional_lights, Effect::spot_lights,
-                                  Effect::sphere_lights,      Effect::rectangle_lights};
-    constexpr Effect kSurfaces[] = {Effect::matte, Effect::highlights, Effect::coat_base,
-                                    Effect::pov_finish};
-    static_assert(static_cast<int>(StageId::rectangle_on_pov) - static_cast<int>(kFirstStage) + 1 ==
-                      std::size(kLights) * std::size(kSurfaces),
-                  "stage.def lists each light on each surface in this order");
-    int stage = static_cast<int>(kFirstStage);
-    for (const Effect light : kLights) {
-      for (const Effect surface : kSurfaces) {
-        when(static_cast<StageId>(stage++), {light, surface});
-      }
-    }
-    if (effects_.has(Effect::tinted_shadows)) {
-      when(StageId::tinted_shadows, {Effect::shadows, Effect::tinted_shadows});
-    } else {
-      when(StageId::opaque_shadows, {Effect::shadows});
-    }
+    for (int stage = static_cast<int>(StageId::ambient_on_matte);
+         stage <= static_cast<int>(StageId::rectangle_on_pov); ++stage)
+      when(static_cast<StageId>(stage));
+    const StageId shadows =
+        effects_.has(Effect::tinted_shadows) ? StageId::tinted_shadows : StageId::opaque_shadows;
+    when(shadows, {Effect::soft_shadows});
     const bool unshadowed =
         std::any_of(scene_.lights.begin(), scene_.lights.end(), [](const Light& light) {
           return shines(light) && !light.casts_shadows &&
                  !std::holds_alternative<AmbientLight>(light.source);
         });
-    if (unshadowed) when(StageId::unshadowed, {Effect::direct_light});
+    if (unshadowed) when(StageId::unshadowed);
   }
 
-  void always(StageId id) { add({id, {}}); }
-
-  void when(StageId id, std::vector<Effect> effects) {
-    const bool called = std::all_of(effects.begin(), effects.end(),
-                                    [&](Effect effect) { return effects_.has(effect); });
-    if (called) add({id, std::move(effects)});
+  auto called() const {
+    return [this](Effect effect) { return effects_.has(effect); };
   }
 
-  void add(PlannedStage stage) {
-    auto& phase = info(stage.id).phase == Phase::start ? plan_.start : plan_.generation;
-    phase.push_back(std::move(stage));
+  // Plans the stage if it is called for. `served`: effects that have some of their work done in it.
+  void when(StageId id, std::initializer_list<Effect> served = {}) {
+    if (!is_called(id, called())) return;
+    PlannedStage stage{id, reasons(id), {}};
+    std::copy_if(served.begin(), served.end(), std::back_inserter(stage.serves), called());
+    std::vector<PlannedStage>* const phases[] = {&plan_.start, &plan_.generation, &plan_.round};
+    phases[static_cast<std::size_t>(info(id).phase)]->push_back(std::move(stage));
+  }
+
+  // The one if it is called for, else the other.
+  void first_of(StageId one, StageId other) { when(is_called(one, called()) ? one : other); }
+
+  // The effects called for without which the stage would not be, or which alone are enough for it.
+  std::vector<Effect> reasons(StageId id) const {
+    std::vector<Effect> because;
+    if (is_called(id, [](Effect) { return false; })) return because;
+    for (std::size_t i = 0; i < kEffectCount; ++i) {
+      const auto effect = static_cast<Effect>(i);
+      if (!effects_.has(effect)) continue;
+      const auto others = [&](Effect e) { return e != effect && effects_.has(e); };
+      const auto alone = [&](Effect e) { return e == effect; };
+      if (!is_called(id, others) || is_called(id, alone)) because.push_back(effect);
+    }
+    return because;
   }
 
   const Scene& scene_;
@@ -129,21 +129,12 @@ class Planner {
   StagePlan plan_;
 };
 
-bool same_stages(const std::vector<PlannedStage>& a, const std::vector<PlannedStage>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const PlannedStage& x, const PlannedStage& y) { return x.id == y.id; });
-}
-
 }  // namespace
 
 bool StagePlan::runs(StageId id) const {
-  const auto& phase = info(id).phase == Phase::start ? start : generation;
-  return std::any_of(phase.begin(), phase.end(),
-                     [&](const PlannedStage& stage) { return stage.id == id; });
-}
-
-bool operator==(const StagePlan& a, const StagePlan& b) {
-  return same_stages(a.start, b.start) && same_stages(a.generation, b.generation);
+  bool found = false;
+  for_each([&](const PlannedStage& stage) { found = found || stage.id == id; });
+  return found;
 }
 
 StagePlan make_plan(const Scene& scene, const EffectSet& effects, const PlanWants& wants) {

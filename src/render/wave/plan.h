@@ -6,14 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene/effect.h"
+#include "core/base/result.h"
+#include "core/scene/built_in.h"
 
 namespace alhazen::render {
 
-enum class Phase { start, generation };
+enum class Phase { start, generation, round };
 
 enum class StageId {
-#define ALHAZEN_STAGE(name, phase, text, keeps) name,
+#define ALHAZEN_STAGE(name, ...) name,
 #include "render/wave/stage.def"
 #undef ALHAZEN_STAGE
 };
@@ -25,7 +26,7 @@ struct StageInfo {
   std::string_view keeps;  // the buffers that exist because of it
 };
 inline constexpr StageInfo kStageInfo[] = {
-#define ALHAZEN_STAGE(name, phase, text, keeps) {#name, Phase::phase, text, keeps},
+#define ALHAZEN_STAGE(name, phase, text, keeps, ...) {#name, Phase::phase, text, keeps},
 #include "render/wave/stage.def"
 #undef ALHAZEN_STAGE
 };
@@ -34,35 +35,63 @@ constexpr const StageInfo& info(StageId stage) {
   return kStageInfo[static_cast<std::size_t>(stage)];
 }
 
+// Whether `has(effect)` is true of what the stage is for.
+template <class Has>
+constexpr bool is_called(StageId stage, const Has& has) {
+  using enum Effect;
+  switch (stage) {
+#define ALHAZEN_STAGE(name, phase, text, keeps, effects, ...) \
+  case StageId::name:                                         \
+    return effects;
+#include "render/wave/stage.def"
+#undef ALHAZEN_STAGE
+  }
+  return false;
+}
+
+// Whether this build has the stage.
+constexpr bool is_built_in(StageId stage) {
+  return is_called(stage, [](Effect effect) { return alhazen::is_built_in(effect); });
+}
+
 struct PlannedStage {
   StageId id;
   std::vector<Effect> because;  // empty: every picture needs it
+  std::vector<Effect> serves;   // effects that have part of their work done here
+
+  friend bool operator==(const PlannedStage&, const PlannedStage&) = default;
 };
 
-// Stages in the order of stage.def.
+// Stages in the order of stage.def; two plans are equal if they run the same for the same reasons.
 struct StagePlan {
-  std::vector<PlannedStage> start, generation;
+  std::vector<PlannedStage> start, generation, round;
 
   bool runs(StageId id) const;
-  friend bool operator==(const StagePlan& a, const StagePlan& b);
+  // Calls visit(stage) with all of them.
+  template <class Visitor>
+  void for_each(const Visitor& visit) const {
+    for (const auto* phase : {&start, &generation, &round}) {
+      for (const PlannedStage& stage : *phase)
+        visit(stage);
+    }
+  }
+  friend bool operator==(const StagePlan&, const StagePlan&) = default;
 };
-
-// What the scene calls for, with what only the geometry can tell: whether a point that camera rays
-// start from may lie inside of something clear.
-EffectSet effects_of(const Scene& scene);
 
 // What data channels ask for that the picture itself would not.
 struct PlanWants {
   bool albedo = false;  // the colours of surfaces that no light and no ray asks for
   bool signature = false, margin = false;
 };
-StagePlan make_plan(const Scene& scene, const EffectSet& effects, const PlanWants& wants = {});
 
-// One line a stage with its reasons; `sources` gives the lines of the scene. The JSON has the same:
-// {"effects": [{name, text, called, lines}], "stages": [{name, text, phase, because, keeps}]}.
-std::string explain_text(const StagePlan& plan, const EffectSet& effects,
-                         const SourceManager& sources);
-std::string explain_json(const StagePlan& plan, const EffectSet& effects,
-                         const SourceManager& sources);
+// What the scene calls for, with what only the geometry can tell: whether a point that camera rays
+// start from may lie inside of something clear.
+EffectSet effects_of(const Scene& scene, const PlanWants& wants = {});
+
+// Error unsupported, naming it, if one of them is of those that a build was made without;
+// `left_out` as ALHAZEN_LEAVE_OUT.
+Status check_built_in(const EffectSet& effects, std::string_view left_out = kLeftOutNames);
+
+StagePlan make_plan(const Scene& scene, const EffectSet& effects, const PlanWants& wants = {});
 
 }  // namespace alhazen::render

@@ -45,8 +45,11 @@ Result<RenderOutput> render(const Scene& scene, const std::vector<ImagePixels>& 
                     is_compiled(isa) ? "that of this processor" : "in this build", info(isa).text)};
   }
   const AovRequest& aovs = options.aovs;
-  const StagePlan plan =
-      make_plan(scene, effects_of(scene), {aovs.albedo, aovs.signature, aovs.margin});
+  const PlanWants wants{aovs.albedo, aovs.signature, aovs.margin};
+  const EffectSet effects = effects_of(scene, wants);
+  const Status has_all = check_built_in(effects);
+  if (!has_all) return has_all.error();
+  const StagePlan plan = make_plan(scene, effects, wants);
   try {
     auto output =
         render_in(options.precision, isa, {scene, images, options, plan, window.value(), progress});

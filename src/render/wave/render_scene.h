@@ -51,14 +51,12 @@ inline void add_figures(const WaveCounters& from, const StagePlan& plan, RenderS
   to.cut_by_depth += from.cut_by_depth;
   to.cut_by_weight += from.cut_by_weight;
   std::size_t k = 0;
-  for (const auto* phase : {&plan.start, &plan.generation}) {
-    for (const PlannedStage& stage : *phase) {
-      if (to.stages.size() <= k) to.stages.push_back({stage.id, 0, 0});
-      to.stages[k].rays += from.stage_items[static_cast<std::size_t>(stage.id)];
-      to.stages[k].cpu_seconds += from.stage_seconds[static_cast<std::size_t>(stage.id)];
-      ++k;
-    }
-  }
+  plan.for_each([&](const PlannedStage& stage) {
+    if (to.stages.size() <= k) to.stages.push_back({stage.id, 0, 0});
+    to.stages[k].rays += from.stage_items[static_cast<std::size_t>(stage.id)];
+    to.stages[k].cpu_seconds += from.stage_seconds[static_cast<std::size_t>(stage.id)];
+    ++k;
+  });
 }
 
 template <class Real>
@@ -119,9 +117,8 @@ Result<RenderOutput> render_scene(const RenderJob& whole) {
   output.plan = whole.plan;
   make_planes(whole.window, whole.options.aovs, output.picture);
   const World<Real> world(whole.scene, whole.images);
-  const Filter filter(whole.scene.settings.filter);
-  const TileJob<Real> job{world,  output.plan,  whole.scene.settings, whole.scene.camera,
-                          filter, whole.options};
+  const TileJob<Real> job{world, output.plan, whole.scene.settings, whole.scene.camera,
+                          whole.options};
   TileQueue queue;
   queue.tiles = tiles_of(whole.window, TileRenderer<Real>::kTileSize);
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());

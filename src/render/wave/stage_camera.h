@@ -15,6 +15,22 @@ inline std::uint64_t pixel_seed(std::uint64_t seed, std::int32_t x, std::int32_t
   return mix_64(mix_64(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
 }
 
+// Puts each sample where the reconstruction filter wants it. Without this stage it stays in the
+// centre of its pixel.
+template <class Real>
+void place_by_filter(Wave<Real>& wave) {
+  Slots<Real>& slots = wave.slots;
+  for (std::size_t s = 0; s < slots.size(); ++s) {
+    const std::uint64_t path = pixel_seed(wave.world.seed, slots.x[s], slots.y[s]);
+    const Sample2d bits = sample_2d(mix_64(path, kFilterDimension), slots.sample[s]);
+    const FilterSample place =
+        wave.world.filter.sample(unit_real<double>(bits.x), unit_real<double>(bits.y));
+    slots.offset_x[s] = static_cast<Real>(place.x);
+    slots.offset_y[s] = static_cast<Real>(place.y);
+    slots.negative[s] = place.negative ? 1 : 0;
+  }
+}
+
 template <class Real>
 void push_camera_ray(Wave<Real>& wave, SlotId slot, const Ray<Real>& ray, std::uint64_t path) {
   ++wave.slots.rays[slot];

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "render/film/filter.h"
 #include "render/film/pixel_accumulator.h"
 #include "render/wave/center_ray.h"
 #include "render/wave/coverage.h"
@@ -20,7 +19,6 @@ struct TileJob {
   const StagePlan& plan;
   const RenderSettings& settings;
   const Camera& camera;
-  const Filter& filter;
   const RenderOptions& options;
 };
 
@@ -64,15 +62,14 @@ class TileRenderer {
   void start(PixelRect tile);
   bool run_wanted();
   bool run_batch(const std::vector<SampleRange>& spans);
-  void place_sample(std::size_t slot, const Pixel& pixel, std::uint32_t sample);
   void collect(const std::vector<SampleRange>& spans);
   bool want_more();
+  bool find_wanting();
   void finish(Picture& picture);
 
   TileJob<Real> job_;
   Integrator<Real> integrator_;
   std::vector<Pixel> pixels_;
-  std::vector<std::uint8_t> negative_;  // whether the filter is, at the slot's place
   // Camera samples followed at once: fewer where each of them asks many samples of the lights.
   static constexpr std::size_t kMaxBatchPaths = std::size_t{1} << 16;
   std::size_t batch_samples_;

@@ -19,9 +19,8 @@ bool TileRenderer<Real>::render(PixelRect tile, Picture& picture) {
 
 template <class Real>
 void TileRenderer<Real>::start(PixelRect tile) {
-  const auto& adaptive = job_.settings.adaptive;
-  const int first =
-      adaptive ? std::min(adaptive->min_samples, job_.settings.samples) : job_.settings.samples;
+  const bool adaptive = job_.plan.runs(StageId::adaptive_rounds);
+  const int first = adaptive ? job_.settings.adaptive->min_samples : job_.settings.samples;
   pixels_.clear();
   for (int y = tile.y; y < tile.y + tile.height; ++y) {
     for (int x = tile.x; x < tile.x + tile.width; ++x) {
@@ -65,35 +64,20 @@ bool TileRenderer<Real>::run_batch(const std::vector<SampleRange>& spans) {
   for (const SampleRange& span : spans)
     size += span.count;
   const AovRequest& aovs = job_.options.aovs;
-  integrator_.wave().slots.resize(size, aovs.signature, aovs.margin);
-  negative_.resize(size);
+  Slots<Real>& slots = integrator_.wave().slots;
+  slots.resize(size, aovs.signature, aovs.margin);
   std::size_t slot = 0;
   for (const SampleRange& span : spans) {
     for (std::uint32_t k = 0; k < span.count; ++k) {
-      place_sample(slot++, pixels_[span.pixel], span.first + k);
+      slots.x[slot] = pixels_[span.pixel].x;
+      slots.y[slot] = pixels_[span.pixel].y;
+      slots.sample[slot++] = span.first + k;
     }
   }
   if (!integrator_.run_batch()) return false;
   collect(spans);
   samples_ += size;
   return true;
-}
-
-// Puts a sample where the reconstruction filter wants it; the only sample of a pixel goes to its
-// centre.
-template <class Real>
-void TileRenderer<Real>::place_sample(std::size_t slot, const Pixel& pixel, std::uint32_t sample) {
-  Slots<Real>& slots = integrator_.wave().slots;
-  slots.x[slot] = pixel.x;
-  slots.y[slot] = pixel.y;
-  slots.sample[slot] = sample;
-  const std::uint64_t path = pixel_seed(job_.world.seed, pixel.x, pixel.y);
-  const Sample2d bits = sample_2d(mix_64(path, kFilterDimension), sample);
-  const FilterSample place = job_.filter.sample(job_.settings.samples, unit_real<double>(bits.x),
-                                                unit_real<double>(bits.y));
-  slots.offset_x[slot] = static_cast<Real>(place.x);
-  slots.offset_y[slot] = static_cast<Real>(place.y);
-  negative_[slot] = place.negative ? 1 : 0;
 }
 
 template <class Real>
@@ -106,7 +90,7 @@ void TileRenderer<Real>::collect(const std::vector<SampleRange>& spans) {
     for (std::uint32_t k = 0; k < span.count; ++k, ++slot) {
       const Rgbd radiance(slots.radiance[slot]);
       const double met = slots.met_something[slot] ? 1 : 0;
-      pixel.radiance.add({radiance.r, radiance.g, radiance.b, met}, negative_[slot] != 0);
+      pixel.radiance.add({radiance.r, radiance.g, radiance.b, met}, slots.negative[slot] != 0);
       pixel.rays += slots.rays[slot];
       const Rgbd albedo(slots.first_color[slot]);
       if (aovs.albedo) pixel.albedo.add({albedo.r, albedo.g, albedo.b});
@@ -124,17 +108,29 @@ void TileRenderer<Real>::collect(const std::vector<SampleRange>& spans) {
   }
 }
 
-// Adaptive sampling: another round for the pixels whose mean is not yet known well enough.
 template <class Real>
 bool TileRenderer<Real>::want_more() {
+  if constexpr (is_built_in(StageId::adaptive_rounds)) {
+    if (!job_.plan.runs(StageId::adaptive_rounds)) return false;
+    const double before = thread_cpu_seconds();
+    const bool more = find_wanting();
+    integrator_.wave().counters.add(StageId::adaptive_rounds, pixels_.size(),
+                                    thread_cpu_seconds() - before);
+    return more;
+  }
+  return false;
+}
+
+// Adaptive sampling: another round for the pixels whose mean is not yet known well enough.
+template <class Real>
+bool TileRenderer<Real>::find_wanting() {
   const auto& adaptive = job_.settings.adaptive;
-  if (!adaptive) return false;
   const auto most = static_cast<std::uint32_t>(job_.settings.samples);
   const bool transparent = job_.settings.transparent_background;
   bool any = false;
   for (Pixel& pixel : pixels_) {
     if (pixel.taken >= most) continue;
-    const double error = pixel.radiance.standard_error(job_.filter, transparent ? 4 : 3);
+    const double error = pixel.radiance.standard_error(job_.world.filter, transparent ? 4 : 3);
     if (error <= adaptive->threshold) continue;
     pixel.wanted = std::min(most, 2 * pixel.taken);
     any = true;
@@ -149,7 +145,7 @@ void TileRenderer<Real>::finish(Picture& picture) {
     const std::size_t column = static_cast<std::size_t>(pixel.x - picture.window.x);
     const std::size_t row = static_cast<std::size_t>(pixel.y - picture.window.y);
     const std::size_t p = row * static_cast<std::size_t>(picture.window.width) + column;
-    const auto mean = pixel.radiance.mean(job_.filter);
+    const auto mean = pixel.radiance.mean(job_.world.filter);
     std::copy(mean.begin(), mean.begin() + 3,
               picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * p));
     picture.alpha[p] = job_.settings.transparent_background ? static_cast<float>(mean[3]) : 1.0F;

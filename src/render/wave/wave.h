@@ -18,6 +18,7 @@ struct Slots {
   std::vector<std::int32_t> x, y;        // the pixel, in the frame
   std::vector<std::uint32_t> sample;     // its number within the pixel
   std::vector<Real> offset_x, offset_y;  // of its ray from the pixel's centre, in pixels
+  std::vector<std::uint8_t> negative;    // whether the reconstruction filter is, at that place
   std::vector<Rgb<Real>> radiance;
   std::vector<std::uint8_t> met_something;  // by the camera ray
   std::vector<std::uint32_t> rays;          // traced for it, of all kinds
@@ -35,8 +36,9 @@ struct Slots {
     x.resize(count);
     y.resize(count);
     sample.resize(count);
-    offset_x.resize(count);
-    offset_y.resize(count);
+    offset_x.assign(count, Real(0));
+    offset_y.assign(count, Real(0));
+    negative.assign(count, 0);
     radiance.assign(count, {});
     met_something.assign(count, 0);
     rays.assign(count, 0);
@@ -51,6 +53,11 @@ struct WaveCounters {
   std::uint64_t cut_by_depth = 0, cut_by_weight = 0;
   std::array<std::uint64_t, kStageCount> stage_items{};
   std::array<double, kStageCount> stage_seconds{};
+
+  void add(StageId stage, std::size_t items, double seconds) {
+    stage_items[static_cast<std::size_t>(stage)] += items;
+    stage_seconds[static_cast<std::size_t>(stage)] += seconds;
+  }
 };
 
 template <class Real>

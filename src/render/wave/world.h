@@ -8,6 +8,7 @@
 
 #include "render/accel/shape_tree.h"
 #include "render/camera/camera_kernel.h"
+#include "render/film/filter.h"
 #include "render/shape/shape_table.h"
 #include "render/surface/texture_table.h"
 #include "render/wave/background.h"
@@ -27,6 +28,7 @@ struct World {
         lights(scene.lights, world_offset),
         camera(scene.camera, scene.settings.width, scene.settings.height),
         background(scene.background, pictures),
+        filter(scene.settings.filter),
         cutoff(static_cast<Real>(scene.settings.cutoff)),
         max_depth(static_cast<std::uint32_t>(scene.settings.max_depth)),
         transparent_background(scene.settings.transparent_background),
@@ -80,6 +82,7 @@ struct World {
   std::vector<MaterialId> material_of;  // of each shape
   std::vector<std::uint8_t> thin;       // of each shape: a clear sheet with nothing inside
   std::vector<ShapeId> solids;          // that a camera may be inside of, in the scene's order
+  Filter filter;
   Real cutoff;
   std::uint32_t max_depth;
   bool transparent_background;

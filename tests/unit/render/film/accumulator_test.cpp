@@ -20,7 +20,7 @@ PixelAccumulator<1> gathered(const Filter& filter, int samples, std::uint64_t se
   PixelAccumulator<1> pixel;
   for (int i = 0; i < samples; ++i) {
     const Sample2d s = sample_2d(seed, static_cast<std::uint32_t>(i));
-    const auto at = filter.sample(samples, unit_real<double>(s.x), unit_real<double>(s.y));
+    const auto at = filter.sample(unit_real<double>(s.x), unit_real<double>(s.y));
     pixel.add({picture(at.x, at.y)}, at.negative);
   }
   return pixel;

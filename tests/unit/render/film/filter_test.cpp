@@ -149,15 +149,6 @@ TEST(Filter, SamplesAreDistributedAsItsAbsoluteValue) {
   }
 }
 
-TEST(Filter, OneSampleLooksThroughTheCentre) {
-  const Filter filter({FilterKind::mitchell, 2});
-  const FilterSample only = filter.sample(1, 0.1, 0.9), first = filter.sample(2, 0.1, 0.9);
-  EXPECT_EQ(only.x, 0);
-  EXPECT_EQ(only.y, 0);
-  EXPECT_FALSE(only.negative);
-  EXPECT_NE(first.x, 0);
-}
-
 TEST(Filter, SignsAndPartsAgree) {
   const Filter filter({FilterKind::mitchell, 2});
   int negative = 0;

@@ -22,10 +22,7 @@ StagePlan plan_of(const Scene& scene) {
 
 std::vector<std::string> names_of(const StagePlan& plan) {
   std::vector<std::string> names;
-  for (const auto* phase : {&plan.start, &plan.generation}) {
-    for (const PlannedStage& stage : *phase)
-      names.emplace_back(info(stage.id).name);
-  }
+  plan.for_each([&](const PlannedStage& stage) { names.emplace_back(info(stage.id).name); });
   return names;
 }
 
@@ -44,8 +41,8 @@ TEST(Plan, SurfacesThatNothingLightsAreNotShaded) {
   SceneBuilder b;
   b.add(Sphere{{0, 0, 0}, 1}, b.diffuse(0.5));
   EXPECT_EQ(names_of(plan_of(b.scene)), (std::vector<std::string>{"pinhole_rays", "closest_hits"}));
-  EXPECT_TRUE(
-      make_plan(b.scene, effects_of(b.scene), {.albedo = true}).runs(StageId::plain_colors));
+  EXPECT_TRUE(make_plan(b.scene, effects_of(b.scene, {.albedo = true}), {.albedo = true})
+                  .runs(StageId::plain_colors));
 }
 
 TEST(Plan, PovFinishCallsForWhatItDoes) {
