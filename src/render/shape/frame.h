@@ -1,6 +1,9 @@
 // render/shape: an orthonormal frame standing on a surface or an axis.
 #pragma once
 
+#include <tuple>
+#include <type_traits>
+
 #include "core/math/elementary.h"
 #include "core/math/vec.h"
 
@@ -9,6 +12,8 @@ namespace alhazen::render {
 template <class Real>
 struct Frame {
   Vec3<Real> origin, x, y, z;
+
+  static auto fields(auto& f) { return std::tie(f.origin, f.x, f.y, f.z); }
 
   Vec3<Real> local_vector(Vec3<Real> v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
   Vec3<Real> local_point(Vec3<Real> p) const { return local_vector(p - origin); }
@@ -33,16 +38,24 @@ inline Frame<double> frame_around(Vec3d origin, Vec3d z) {
   return {origin, cross(z, y), y, z};
 }
 
+// atan2_turns of one number or of each lane.
 template <class Real>
-inline Frame<Real> frame_in(const Frame<double>& f) {
-  return {Vec3<Real>(f.origin), Vec3<Real>(f.x), Vec3<Real>(f.y), Vec3<Real>(f.z)};
+inline Real arc_turns(Real y, Real x) {
+  if constexpr (std::is_same_v<Real, ScalarOf<Real>>) {
+    return atan2_turns(y, x);
+  } else {
+    Real turns;
+    for (int i = 0; i < Real::kWidth; ++i)
+      turns.set(i, atan2_turns(y[i], x[i]));
+    return turns;
+  }
 }
 
 // The angle of (x, y) in [0, 1] turns; 1 only when it rounds to a full turn.
 template <class Real>
 inline Real turn_of(Real x, Real y) {
-  const Real turn = atan2_turns(y, x);
-  return turn < Real(0) ? turn + Real(1) : turn;
+  const Real turn = arc_turns(y, x);
+  return select(turn < Real(0), turn + Real(1), turn);
 }
 
 }  // namespace alhazen::render

@@ -13,9 +13,11 @@
 // is the distance from the axis over the cap's radius.
 #pragma once
 
-#include "render/shape/crossing.h"
+#include <tuple>
+
 #include "render/shape/frame.h"
 #include "render/shape/quadratic.h"
+#include "render/shape/span.h"
 
 namespace alhazen::render {
 
@@ -25,8 +27,13 @@ struct Frustum {
   Real height;                      // > 0
   Real small_radius, large_radius;  // not both 0
   Real slope;                       // (large_radius - small_radius) / height
-  bool capped;
-  bool base_is_small;  // which end the scene calls base; for v
+  MaskOf<Real> capped;
+  MaskOf<Real> base_is_small;  // which end the scene calls base; for v
+
+  static auto fields(auto& f) {
+    return std::tie(f.frame, f.height, f.small_radius, f.large_radius, f.slope, f.capped,
+                    f.base_is_small);
+  }
 
   Real radius_at(Real z) const { return fused_multiply_add(slope, z, small_radius); }
 };
@@ -46,15 +53,16 @@ template <class Real>
 inline Real product(Cone3<Real> a, Cone3<Real> b) {
   const Real around = fused_multiply_add(a.x, b.x, a.y * b.y), along = a.rho * b.rho;
   const Real terms = absolute(a.x * b.x) + absolute(a.y * b.y) + absolute(along);
-  if (!has_cancelled(around - along, 2 * terms)) return around - along;
-  return (two_product(a.x, b.x) + two_product(a.y, b.y) - two_product(a.rho, b.rho)).hi;
+  return resummed(around - along, 2 * terms, [&] {
+    return two_product(a.x, b.x) + two_product(a.y, b.y) - two_product(a.rho, b.rho);
+  });
 }
 
 template <class Real>
 inline Real square(Cone3<Real> a) {
   const Real around = fused_multiply_add(a.x, a.x, a.y * a.y), rho_squared = a.rho * a.rho;
-  if (!has_cancelled(around - rho_squared, around + rho_squared)) return around - rho_squared;
-  return (two_square(a.x) + two_square(a.y) - two_square(a.rho)).hi;
+  return resummed(around - rho_squared, around + rho_squared,
+                  [&] { return two_square(a.x) + two_square(a.y) - two_square(a.rho); });
 }
 
 template <class Real>
@@ -63,125 +71,135 @@ inline Real discriminant(Cone3<Real> o, Cone3<Real> d) {
   const Real yr = difference_of_products(o.y, d.rho, o.rho, d.y);
   const Real xy = difference_of_products(o.x, d.y, o.y, d.x);
   const Real reach = fused_multiply_add(xr, xr, yr * yr), distance = xy * xy;
-  if (!has_cancelled(reach - distance, reach + distance)) return reach - distance;
-  return (squared(two_minor(o.x, d.rho, o.rho, d.x)) + squared(two_minor(o.y, d.rho, o.rho, d.y)) -
-          squared(two_minor(o.x, d.y, o.y, d.x)))
-      .hi;
+  return resummed(reach - distance, reach + distance, [&] {
+    return squared(two_minor(o.x, d.rho, o.rho, d.x)) + squared(two_minor(o.y, d.rho, o.rho, d.y)) -
+           squared(two_minor(o.x, d.y, o.y, d.x));
+  });
 }
 
 // Cuts `span` down to the inside of the infinite cone on the side of rho >= 0.
 template <class Real>
-inline void cut_by_side(Span<Real>& span, Cone3<Real> o, Cone3<Real> d, bool leaves_inward) {
+inline void cut_by_side(Span<Real>& span, Cone3<Real> o, Cone3<Real> d, bool leaves_inward,
+                        MaskOf<Real> where = true) {
+  using Mask = MaskOf<Real>;
   const Real inf = infinity<Real>();
   const Real a = square(d) + Real(0), b = product(o, d), c = square(o);
-  Real reach = discriminant(o, d);
-  if (reach < Real(0)) {
-    // With a <= 0, or from inside, the line does meet the cone, and a discriminant below zero is
-    // one that rounding has lost.
-    span.empty = span.empty || (a > Real(0) && !leaves_inward);
-    reach = Real(0);
-  }
-  if (a == Real(0) && b == Real(0)) {
-    span.empty = span.empty || c > Real(0);  // along the axis of a cylinder
-    return;
-  }
-  const Roots<Real> roots = roots_of(Quadratic<Real>{a, b, c, reach});
-  if (a >= Real(0)) {
-    span.cut(roots.near, kSide, roots.far, kSide);
-  } else if (d.rho > Real(0)) {
-    span.cut(roots.far, kSide, inf, kSide);  // in by the upper nappe, never out again
-  } else {
-    span.cut(-inf, kSide, roots.near, kSide);
-  }
+  const Real reach = discriminant(o, d);
+  // With a <= 0, or from inside, the line does meet the cone, and a discriminant below zero is one
+  // that rounding has lost.
+  const Mask passes = reach < Real(0) && a > Real(0) && !leaves_inward;
+  const Mask along_cylinder = a == Real(0) && b == Real(0);
+  span.empty = span.empty || (where && (passes || (along_cylinder && c > Real(0))));
+  const Roots<Real> roots = roots_of(Quadratic<Real>{a, b, c, larger(reach, Real(0))});
+  // With a < 0 in by the upper nappe and never out again, or the other way round.
+  const Mask twice = a >= Real(0), inward = d.rho > Real(0);
+  const Real from = select(twice, roots.near, select(inward, roots.far, -inf));
+  const Real to = select(twice, roots.far, select(inward, inf, roots.near));
+  span.cut(from, kSide, to, kSide, where && !along_cylinder);
 }
 
 // The same for a ray from the side: one root is 0, the other minus the sum of both.
 template <class Real>
-inline void cut_by_own_side(Span<Real>& span, Real a, Real b) {
-  if (a > Real(0)) span.cut(Real(0), kSide, Real(-2) * b / a, kSide);
+inline void cut_by_own_side(Span<Real>& span, Real a, Real b, MaskOf<Real> where) {
+  span.cut(Real(0), kSide, Real(-2) * b / a, kSide, where && a > Real(0));
 }
 
 template <class Real>
 inline Span<Real> span_between_ends(Real height, Real z, Real dz) {
+  using Int = IntOf<Real>;
+  const MaskOf<Real> up = dz > Real(0), moves = up || dz < Real(0);
+  const Real to_small = -z / dz, to_large = (height - z) / dz;
+  const Int small(kSmallCap), large(kLargeCap);
   Span<Real> span;
-  if (dz > Real(0)) {
-    span.cut(-z / dz, kSmallCap, (height - z) / dz, kLargeCap);
-  } else if (dz < Real(0)) {
-    span.cut((height - z) / dz, kLargeCap, -z / dz, kSmallCap);
-  } else {
-    span.empty = !(Real(0) <= z && z <= height);
-  }
+  span.cut(select(up, to_small, to_large), select(up, small, large), select(up, to_large, to_small),
+           select(up, large, small), moves);
+  span.empty = !moves && !(Real(0) <= z && z <= height);
   return span;
 }
 
-// Of the ends of a span, those that lie on the side: all that an open frustum has.
+// A ray as seen from the axis.
 template <class Real>
-inline Crossings<Real> on_side(const Crossings<Real>& all) {
-  Crossings<Real> result;
-  for (const Crossing<Real>& crossing : all) {
-    if (crossing.face == kSide) result.add(crossing.t, kSide, crossing.enters);
+struct SeenRay {
+  Real z, dz;
+  Cone3<Real> o, d;
+
+  SeenRay(const Frustum<Real>& shape, const Ray<Real>& ray) {
+    const Vec3<Real> origin = shape.frame.local_point(ray.origin);
+    const Vec3<Real> direction = shape.frame.local_vector(ray.direction);
+    z = origin.z;
+    dz = direction.z;
+    o = {origin.x, origin.y, shape.radius_at(z)};
+    d = {direction.x, direction.y, shape.slope * dz};
   }
-  return result;
+};
+
+// Those on the side, which is all that an open frustum has.
+template <class Real>
+inline CrossingPair<Real> on_surface(const Frustum<Real>& shape, CrossingPair<Real> all) {
+  all.has_near = all.has_near && (shape.capped || all.near.face == IntOf<Real>(kSide));
+  all.has_far = all.has_far && (shape.capped || all.far.face == IntOf<Real>(kSide));
+  return all;
 }
 
 }  // namespace frustum
 
 template <class Real>
-inline Crossings<Real> crossings(const Frustum<Real>& shape, const Ray<Real>& ray, Departure from) {
+inline CrossingPair<Real> crossings(const Frustum<Real>& shape, const Ray<Real>& ray) {
   using namespace frustum;
-  const Vec3<Real> local_o = shape.frame.local_point(ray.origin);
-  const Vec3<Real> local_d = shape.frame.local_vector(ray.direction);
-  const Cone3<Real> o{local_o.x, local_o.y, shape.radius_at(local_o.z)};
-  const Cone3<Real> d{local_d.x, local_d.y, shape.slope * local_d.z};
-  Span<Real> span = span_between_ends(shape.height, local_o.z, local_d.z);
-  Crossings<Real> result;
-  if (!from.from_surface()) {
-    cut_by_side(span, o, d, false);
-    result = ends_of(span);
-  } else if (from.face == kSide) {
-    const Real b = product(o, d);
-    if (!goes_below(from, b)) return result;
-    cut_by_own_side(span, square(d), b);
-    result = exit_of(span);
-  } else {
-    if (!goes_below(from, from.face == kSmallCap ? -local_d.z : local_d.z)) return result;
-    cut_by_side(span, o, d, true);
-    result = exit_of(span);
-  }
-  return shape.capped ? result : on_side(result);
+  const SeenRay<Real> seen(shape, ray);
+  Span<Real> span = span_between_ends(shape.height, seen.z, seen.dz);
+  if (all(span.empty)) return {};
+  cut_by_side(span, seen.o, seen.d, false);
+  return on_surface(shape, ends_of(span));
+}
+
+template <class Real>
+inline CrossingPair<Real> own_crossings(const Frustum<Real>& shape, const Ray<Real>& ray,
+                                        const OwnDeparture<Real>& from) {
+  using namespace frustum;
+  using Int = IntOf<Real>;
+  const SeenRay<Real> seen(shape, ray);
+  const MaskOf<Real> from_side = from.face == Int(kSide);
+  const Real b = product(seen.o, seen.d);
+  const Real off_cap = select(from.face == Int(kSmallCap), -seen.dz, seen.dz);
+  const MaskOf<Real> inward = goes_below(from, select(from_side, b, off_cap));
+  if (!any(inward)) return {};
+  Span<Real> span = span_between_ends(shape.height, seen.z, seen.dz);
+  if (any(from_side)) cut_by_own_side(span, square(seen.d), b, from_side);
+  if (!all(from_side)) cut_by_side(span, seen.o, seen.d, true, !from_side);
+  return on_surface(shape, exit_of(span, inward));
 }
 
 template <bool with_coordinates = true, class Real>
 inline Surface<Real> surface(const Frustum<Real>& shape, const Ray<Real>& ray,
                              const Crossing<Real>& crossing) {
   using namespace frustum;
-  Vec3<Real> local = shape.frame.local_point(ray.at(crossing.t)), n;
-  local.z = smaller(larger(local.z, Real(0)), shape.height);
-  const Real from_axis = square_root(fused_multiply_add(local.x, local.x, local.y * local.y));
-  Real u{}, v;
-  if constexpr (with_coordinates) u = turn_of(local.x, local.y);
-  if (crossing.face == kSide) {
-    const Real rho = shape.radius_at(local.z);
-    const Real cosine = from_axis > Real(0) ? local.x / from_axis : Real(0);
-    const Real sine = from_axis > Real(0) ? local.y / from_axis : Real(0);
-    local.x = rho * cosine;
-    local.y = rho * sine;
-    n = normalized(Vec3<Real>(cosine, sine, -shape.slope));
-    v = local.z / shape.height;
-    if (!shape.base_is_small) v = Real(1) - v;
-  } else {
-    const bool small = crossing.face == kSmallCap;
-    const Real rho = small ? shape.small_radius : shape.large_radius;
-    local.z = small ? Real(0) : shape.height;
-    if (from_axis > rho) {
-      local.x *= rho / from_axis;
-      local.y *= rho / from_axis;
-    }
-    n = {Real(0), Real(0), small ? Real(-1) : Real(1)};
-    v = rho > Real(0) ? smaller(from_axis / rho, Real(1)) : Real(0);
-  }
-  const Vec3<Real> normal = shape.frame.vector(n);
-  return {shape.frame.point(local), normal, normal, u, v};
+  using Mask = MaskOf<Real>;
+  const Vec3<Real> there = shape.frame.local_point(ray.at(crossing.t));
+  const Real z = smaller(larger(there.z, Real(0)), shape.height);
+  const Real from_axis = square_root(fused_multiply_add(there.x, there.x, there.y * there.y));
+  const Mask on_side = crossing.face == IntOf<Real>(kSide);
+  const Mask on_small = crossing.face == IntOf<Real>(kSmallCap);
+  // On the side, at the radius of its height.
+  const Real rho = shape.radius_at(z);
+  const Mask off_axis = from_axis > Real(0);
+  const Real cosine = select(off_axis, there.x / from_axis, Real(0));
+  const Real sine = select(off_axis, there.y / from_axis, Real(0));
+  const Vec3<Real> side{rho * cosine, rho * sine, z};
+  const Vec3<Real> side_normal = normalized(Vec3<Real>(cosine, sine, -shape.slope));
+  // On a cap, within its radius.
+  const Real rim = select(on_small, shape.small_radius, shape.large_radius);
+  const Real pull = select(from_axis > rim, rim / from_axis, Real(1));
+  const Vec3<Real> cap{there.x * pull, there.y * pull, select(on_small, Real(0), shape.height)};
+  const Vec3<Real> cap_normal{Real(0), Real(0), select(on_small, Real(-1), Real(1))};
+
+  const Vec3<Real> normal = shape.frame.vector(select(on_side, side_normal, cap_normal));
+  const Vec3<Real> position = shape.frame.point(select(on_side, side, cap));
+  if constexpr (!with_coordinates) return {position, normal, normal};
+  const Real along = z / shape.height;
+  const Real upwards = select(shape.base_is_small, along, Real(1) - along);
+  const Real across = select(rim > Real(0), smaller(from_axis / rim, Real(1)), Real(0));
+  return {position, normal, normal, turn_of(there.x, there.y), select(on_side, upwards, across)};
 }
 
 template <class Real>

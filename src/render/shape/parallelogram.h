@@ -11,7 +11,9 @@ template <class Real>
 struct Parallelogram {
   // corner, corner + edge_u, corner + edge_u + edge_v, corner + edge_v
   std::array<Vec3<Real>, 4> corners;
-  bool reversed = false;
+  MaskOf<Real> reversed = false;
+
+  static auto fields(auto& quad) { return std::tie(quad.corners, quad.reversed); }
 };
 
 template <class Real>
@@ -24,29 +26,37 @@ struct ParallelogramHit {
 template <class Real>
 inline ParallelogramHit<Real> hit_halves(const Parallelogram<Real>& quad, const Ray<Real>& ray) {
   const ShearedRay<Real> sheared(ray);
+  const auto& [a, b, c, d] = quad.corners;
   ParallelogramHit<Real> result;
-  result.corners = {quad.corners[0], quad.corners[1], quad.corners[2]};
+  result.corners = {a, b, c};
   result.triangle = hit_sheared(sheared, result.corners);
-  if (result.triangle.hit) {
-    result.u = result.triangle.weights[1] + result.triangle.weights[2];
-    result.v = result.triangle.weights[2];
-    return result;
+  const MaskOf<Real> first = result.triangle.hit;
+  if (!all(first)) {
+    const TriangleHit<Real> other = hit_sheared(sheared, {a, c, d});
+    result.triangle = select(first, result.triangle, other);
+    result.corners = {a, select(first, b, c), select(first, c, d)};
   }
-  result.corners = {quad.corners[0], quad.corners[2], quad.corners[3]};
-  result.triangle = hit_sheared(sheared, result.corners);
-  result.u = result.triangle.weights[1];
-  result.v = result.triangle.weights[1] + result.triangle.weights[2];
+  const auto& weights = result.triangle.weights;
+  const Real both = weights[1] + weights[2];
+  result.u = select(first, both, weights[1]);
+  result.v = select(first, weights[2], both);
   return result;
 }
 
 template <class Real>
-inline Crossings<Real> crossings(const Parallelogram<Real>& quad, const Ray<Real>& ray,
-                                 Departure from) {
-  Crossings<Real> result;
-  if (from.from_surface()) return result;
+inline CrossingPair<Real> crossings(const Parallelogram<Real>& quad, const Ray<Real>& ray) {
   const TriangleHit<Real> hit = hit_halves(quad, ray).triangle;
-  if (hit.hit) result.add(hit.t, 0, hit.enters != quad.reversed);
+  CrossingPair<Real> result;
+  result.set_near(hit.hit, hit.t, 0, hit.enters != quad.reversed);
   return result;
+}
+
+// It is flat, so no ray that leaves it comes back.
+template <class Real>
+inline CrossingPair<Real> own_crossings(const Parallelogram<Real>& /*quad*/,
+                                        const Ray<Real>& /*ray*/,
+                                        const OwnDeparture<Real>& /*from*/) {
+  return {};
 }
 
 template <bool with_coordinates = true, class Real>

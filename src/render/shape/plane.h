@@ -7,6 +7,8 @@
 // each, unbounded.
 #pragma once
 
+#include <tuple>
+
 #include "render/shape/crossing.h"
 #include "render/shape/quadratic.h"
 
@@ -19,6 +21,10 @@ struct Plane {
   // u = dot(u_axis, p) + u_offset, and likewise v.
   Vec3<Real> u_axis, v_axis;
   Real u_offset, v_offset;
+
+  static auto fields(auto& p) {
+    return std::tie(p.normal, p.offset, p.u_axis, p.v_axis, p.u_offset, p.v_offset);
+  }
 };
 
 // start + dot(a, b) as if summed in twice the precision: error <= u |sum| + 5 u^2 (terms), whatever
@@ -40,13 +46,18 @@ inline Real depth_below(const Plane<Real>& plane, Vec3<Real> p) {
 }
 
 template <class Real>
-inline Crossings<Real> crossings(const Plane<Real>& plane, const Ray<Real>& ray, Departure from) {
-  Crossings<Real> result;
-  if (from.from_surface()) return result;
+inline CrossingPair<Real> crossings(const Plane<Real>& plane, const Ray<Real>& ray) {
   const Real along = compensated_dot(Real(0), plane.normal, ray.direction);
-  if (along == Real(0)) return result;
-  result.add(depth_below(plane, ray.origin) / along, 0, along < Real(0));
+  CrossingPair<Real> result;
+  result.set_near(along != Real(0), depth_below(plane, ray.origin) / along, 0, along < Real(0));
   return result;
+}
+
+// It is flat, so no ray that leaves it comes back.
+template <class Real>
+inline CrossingPair<Real> own_crossings(const Plane<Real>& /*plane*/, const Ray<Real>& /*ray*/,
+                                        const OwnDeparture<Real>& /*from*/) {
+  return {};
 }
 
 template <bool with_coordinates = true, class Real>

@@ -9,6 +9,7 @@
 
 #include "core/math/error_free.h"
 #include "core/math/vec.h"
+#include "render/simd/lanes.h"
 
 namespace alhazen::render {
 
@@ -16,8 +17,16 @@ namespace alhazen::render {
 inline constexpr int kLargestCancellation = 8;
 
 template <class Real>
-inline bool has_cancelled(Real sum, Real terms) {
+inline MaskOf<Real> has_cancelled(Real sum, Real terms) {
   return absolute(sum) * Real(kLargestCancellation) < terms;
+}
+
+// `sum`, or what `again` makes of it in two words where it has cancelled; elsewhere than in
+// `wanted` it does not matter.
+template <class Real, class Again>
+inline Real resummed(Real sum, Real terms, const Again& again, MaskOf<Real> wanted = true) {
+  const MaskOf<Real> lost = wanted && has_cancelled(sum, terms);
+  return any(lost) ? select(lost, again().hi, sum) : sum;
 }
 
 template <class Real>
@@ -41,11 +50,11 @@ inline DoubleWord<Real> two_dot(Vec3<Real> a, Vec3<Real> b) {
 // dot(a, b), to few roundings also where its terms cancel: the speed at which a ray nears a surface
 // that it grazes.
 template <class Real>
-inline Real sharp_dot(Vec3<Real> a, Vec3<Real> b) {
-  const Real sum = dot(a, b);
+inline Real sharp_dot(Vec3<Real> a, Vec3<Real> b, MaskOf<Real> wanted = true) {
   const Real terms = absolute(a.x * b.x) + absolute(a.y * b.y) + absolute(a.z * b.z);
   // Half the usual loss: this error goes into t whole, not by its square root.
-  return has_cancelled(sum, 2 * terms) ? two_dot(a, b).hi : sum;
+  return resummed(
+      dot(a, b), 2 * terms, [&] { return two_dot(a, b); }, wanted);
 }
 
 // a t^2 + 2 b t + c and its discriminant b^2 - a c. The others are 0 where the discriminant is
@@ -54,6 +63,13 @@ template <class Real>
 struct Quadratic {
   Real a, b, c, discriminant;
 };
+
+template <class Real>
+requires(!std::same_as<MaskOf<Real>, bool>) inline Quadratic<Real> select(
+    MaskOf<Real> which, const Quadratic<Real>& yes, const Quadratic<Real>& no) {
+  return {select(which, yes.a, no.a), select(which, yes.b, no.b), select(which, yes.c, no.c),
+          select(which, yes.discriminant, no.discriminant)};
+}
 
 // The parameters at which the line crosses the quadric, near <= far, from a discriminant >= 0 and
 // a != 0; the form that adds numbers of one sign (Numerical Recipes 5.6).
@@ -66,14 +82,15 @@ template <class Real>
 inline Roots<Real> roots_of(const Quadratic<Real>& equation) {
   const auto& [a, b, c, discriminant] = equation;
   const Real root = square_root(larger(discriminant, Real(0)));
-  const Real q = b < Real(0) ? root - b : -b - root;
-  if (q == Real(0)) return {Real(0), Real(0)};
-  const Real first = q / a;
-  Real second = c / q;
+  const Real q = select(b < Real(0), root - b, -b - root);
+  const Real first = q / a, quotient = c / q;
   // |q| is the larger of |b +- root|. Only rounding in a q that has cancelled says otherwise.
-  if (absolute(second) > absolute(first))
-    second = second < Real(0) ? -absolute(first) : absolute(first);
-  return first < second ? Roots<Real>{first, second} : Roots<Real>{second, first};
+  const Real limit = absolute(first);
+  const Real limited = select(quotient < Real(0), -limit, limit);
+  const Real second = select(absolute(quotient) > limit, limited, quotient);
+  const MaskOf<Real> in_order = first < second, none = q == Real(0);
+  return {select(none, Real(0), select(in_order, first, second)),
+          select(none, Real(0), select(in_order, second, first))};
 }
 
 }  // namespace alhazen::render

@@ -11,17 +11,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/math/transform.h"
-#include "core/scene/shape.h"
 #include "render/shape/bounds.h"
-#include "render/shape/box.h"
-#include "render/shape/disc.h"
+#include "render/shape/convert.h"
 #include "render/shape/doubt.h"
-#include "render/shape/frustum.h"
-#include "render/shape/parallelogram.h"
-#include "render/shape/plane.h"
-#include "render/shape/sphere.h"
-#include "render/shape/triangle.h"
+#include "render/shape/kernel_arrays.h"
 
 namespace alhazen::render {
 
@@ -30,6 +23,24 @@ struct SurfacePoint : Surface<Real> {
   // The same point in the shape's object frame as the scene gave it, where patterns live.
   Vec3<Real> object_position;
 };
+
+template <class Real>
+requires(!std::same_as<MaskOf<Real>, bool>) inline SurfacePoint<Real> select(
+    MaskOf<Real> which, const SurfacePoint<Real>& yes, const SurfacePoint<Real>& no) {
+  const Surface<Real>&yes_base = yes, &no_base = no;
+  return {select(which, yes_base, no_base), select(which, yes.object_position, no.object_position)};
+}
+
+// A point that a kernel found in the object frame. Smooth triangles have been mapped beforehand, so
+// the normal is the shading normal.
+template <class Real>
+inline SurfacePoint<Real> out_of_object(const Surface<Real>& own, const Placement<Real>& place) {
+  Surface<Real> point = own;
+  point.position = place.world_from_object.point(own.position);
+  point.normal = normalized(place.object_from_world.transposed(own.normal));
+  point.shading_normal = point.normal;
+  return {point, own.position};
+}
 
 template <class Real>
 class ShapeTable {
@@ -41,15 +52,36 @@ class ShapeTable {
   // What was subtracted: scene position = position + world_origin.
   Vec3<Real> world_origin() const { return world_origin_; }
 
-  // Rays, points and normals are in the moved world frame.
+  // Rays, points and normals are in the moved world frame. L is Real, or lanes of it.
+
+  // Of rays from elsewhere with one shape.
+  template <class L>
+  CrossingPair<L> crossings(ShapeId id, const Ray<L>& ray) const {
+    const Entry& entry = entries_[id];
+    if (!entry.in_object_frame) return crossings_of(entry, ray);
+    return crossings_of(entry, convert<L>(placements_[entry.placement]).in_object(ray));
+  }
   Crossings<Real> crossings(ShapeId id, const Ray<Real>& ray, Departure from) const;
+  // Each of the active lanes with the shape whose surface it leaves.
+  template <class L>
+  CrossingPair<L> own_crossings(const IntOf<L>& shape, const Ray<L>& ray, const IntOf<L>& face,
+                                const IntOf<L>& side, const MaskOf<L>& active) const;
   // The same crossings and the near misses, each with its margin.
   Doubts<Real> doubts(ShapeId id, const Ray<Real>& ray, Departure from) const;
+
   SurfacePoint<Real> surface(ShapeId id, const Ray<Real>& ray,
                              const Crossing<Real>& crossing) const;
   // The same without u and v, whose arcs can cost more than all the rest.
   SurfacePoint<Real> plain_surface(ShapeId id, const Ray<Real>& ray,
                                    const Crossing<Real>& crossing) const;
+  // Each of the active lanes on its own shape; the others have no meaning.
+  template <class L>
+  SurfacePoint<L> surface(const IntOf<L>& shape, const Ray<L>& ray, const Crossing<L>& crossing,
+                          const MaskOf<L>& active) const;
+  template <class L>
+  SurfacePoint<L> plain_surface(const IntOf<L>& shape, const Ray<L>& ray,
+                                const Crossing<L>& crossing, const MaskOf<L>& active) const;
+
   // Whether the point is inside of a closed shape; on the surface it is not. Open shapes contain
   // nothing.
   bool contains(ShapeId id, Vec3<Real> point) const;
@@ -57,34 +89,24 @@ class ShapeTable {
   std::optional<ShapeBounds<Real>> bounds(ShapeId id) const;
 
  private:
-  enum class Kind : std::uint8_t { sphere, plane, box, disc, frustum, triangle, parallelogram };
-  struct Placement {
-    Affine<Real> world_from_object, object_from_world;
-  };
-  struct Entry {
-    Kind kind;
-    bool in_object_frame;     // the ray has to be mapped
-    std::uint32_t index;      // in the array of its kind
-    std::uint32_t placement;  // kNoId: the object frame is the scene's world
-  };
-
   class Builder;
+
   Ray<Real> own_ray(const Entry& entry, const Ray<Real>& ray) const;
-  template <bool with_coordinates>
-  SurfacePoint<Real> find_surface(ShapeId id, const Ray<Real>& ray,
-                                  const Crossing<Real>& crossing) const;
-  template <class Visitor>
-  auto visit(const Entry& entry, const Visitor& visitor) const;
+  template <class L>
+  CrossingPair<L> crossings_of(const Entry& entry, const Ray<L>& own) const {
+    return kernels_.visit(
+        entry, [&](const auto& kernel) { return render::crossings(convert<L>(kernel), own); });
+  }
+  template <bool with_coordinates, class L>
+  SurfacePoint<L> surface_of_one(const Entry& entry, const Ray<L>& ray,
+                                 const Crossing<L>& crossing) const;
+  template <bool with_coordinates, class L>
+  SurfacePoint<L> surface_of_each(const IntOf<L>& shape, const Ray<L>& ray,
+                                  const Crossing<L>& crossing, const MaskOf<L>& active) const;
 
   std::vector<Entry> entries_;
-  std::vector<Placement> placements_;
-  std::vector<Sphere<Real>> spheres_;
-  std::vector<Plane<Real>> planes_;
-  std::vector<Box<Real>> boxes_;
-  std::vector<Disc<Real>> discs_;
-  std::vector<Frustum<Real>> frusta_;
-  std::vector<Triangle<Real>> triangles_;
-  std::vector<Parallelogram<Real>> parallelograms_;
+  std::vector<Placement<Real>> placements_;
+  KernelArrays<Real> kernels_;
   Vec3<Real> world_origin_;
 };
 
@@ -95,3 +117,5 @@ extern template class ShapeTable<Quad>;
 #endif
 
 }  // namespace alhazen::render
+
+#include "render/shape/shape_table_lanes.h"

@@ -10,6 +10,7 @@
 
 #include "hard/kernels/support.h"
 #include "render/shape/convert.h"
+#include "render/shape/from_scene.h"
 
 namespace alhazen::hard {
 namespace {

@@ -177,7 +177,7 @@ void needles() {
     Real low = infinity<Real>(), high = -infinity<Real>();
     const render::ShearedRay<Real> own(ray);
     for (const Vec3<Real>& corner : needle.corners) {
-      const Real t = (corner[own.z] - ray.origin[own.z]) * own.scale_z;
+      const Real t = own.turned(corner - ray.origin).z * own.scale_z;
       low = smaller(low, t);
       high = larger(high, t);
     }

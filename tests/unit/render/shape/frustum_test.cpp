@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render/shape/convert.h"
+#include "render/shape/from_scene.h"
 #include "unit/render/shape/support.h"
 
 namespace alhazen::render {
