@@ -46,7 +46,8 @@ function(alhazen_isa_kernels target)
     target_compile_definitions(${target} PRIVATE ALHAZEN_HAS_${upper}=1)
     set(objects ${target}_${isa})
     add_library(${objects} OBJECT ${sources})
-    target_include_directories(${objects} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_include_directories(${objects} PRIVATE ${PROJECT_SOURCE_DIR}/src
+                                                  ${PROJECT_BINARY_DIR}/generated)
     target_link_libraries(${objects} PRIVATE alhazen_options nlohmann_json::nlohmann_json fmt::fmt)
     target_compile_options(${objects} PRIVATE ${flags_of_${isa}}
       $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
