@@ -95,7 +95,7 @@ void camera_by_loop(benchmark::State& state) {
 void build(benchmark::State& state) {
   const ShapeTable<double> table(balls(state.range(0)), Vec3d{});
   for (auto _ : state)
-    benchmark::DoNotOptimize(ShapeTree<double>(table));
+    benchmark::DoNotOptimize(ShapeTree<double>(table, static_cast<int>(state.range(1))));
 }
 
 BENCHMARK(camera_by_tree<double>)->DenseRange(1, 10)->RangeMultiplier(10)->Range(100, 1000000);
@@ -103,7 +103,11 @@ BENCHMARK(camera_by_loop<double>)->DenseRange(1, 10)->RangeMultiplier(10)->Range
 BENCHMARK(random_by_tree<double>)->DenseRange(1, 10)->RangeMultiplier(10)->Range(100, 1000000);
 BENCHMARK(random_by_loop<double>)->DenseRange(1, 10)->RangeMultiplier(10)->Range(100, 10000);
 BENCHMARK(random_by_tree<float>)->Arg(10000)->Arg(1000000);
-BENCHMARK(build)->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(build)
+    ->ArgsProduct({{1000, 10000, 100000, 1000000}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace alhazen::render

@@ -1,9 +1,12 @@
 #include "render/accel/shape_tree.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "render/accel/shape_hits.h"
+#include "render/accel/tree_build.h"
 #include "render/accel/tree_ray.h"
 
 namespace alhazen::render {
@@ -13,59 +16,115 @@ namespace {
 // from making every other box larger: its own is grown for all rays that start within the tree's
 // radius. A choice of cost alone: either way the boxes hold every hit.
 constexpr int kCommonRoundings = 4096;
+constexpr std::size_t kShapesAtOnce = 4096;  // whose bounds one thread computes
 
 template <class Real>
-Real size_of(const TreeBox<Real>& box) {
-  return larger(largest_coordinate(box.min), largest_coordinate(box.max));
+constexpr Real kCommonReach = Real(kCommonRoundings) * ScalarTraits<Real>::unit_roundoff();
+
+template <class Real>
+Real size_of(const ShapeBounds<Real>& bounds) {
+  return larger(largest_coordinate(bounds.min), largest_coordinate(bounds.max));
 }
 
+// Nothing where they serve for no box.
 template <class Real>
-bool is_useful(const ShapeBounds<Real>& bounds) {
-  return is_finite(bounds.min) && is_finite(bounds.max) && bounds.reach < Real(1) &&
-         is_ordinary(size_of(TreeBox<Real>{bounds.min, bounds.max}));
+std::optional<ShapeBounds<Real>> useful_bounds(const ShapeTable<Real>& table, ShapeId id) {
+  auto bounds = table.bounds(id);
+  if (bounds && is_finite(bounds->min) && is_finite(bounds->max) && bounds->reach < Real(1) &&
+      is_ordinary(size_of(*bounds))) {
+    return bounds;
+  }
+  return std::nullopt;
+}
+
+// What has to be known of all shapes before the first box.
+template <class Real>
+struct Survey {
+  Real start_radius = 0;
+  Real near_reach = Real(8) * ScalarTraits<Real>::unit_roundoff(), far_reach = 0;
+  std::vector<ShapeId> outside;
+  std::size_t inside = 0;
+
+  void add(ShapeId id, const std::optional<ShapeBounds<Real>>& bounds) {
+    if (!bounds) {
+      outside.push_back(id);
+      return;
+    }
+    ++inside;
+    start_radius = larger(start_radius, size_of(*bounds));
+    far_reach = larger(far_reach, bounds->reach);
+    if (bounds->reach <= kCommonReach<Real>) near_reach = larger(near_reach, bounds->reach);
+  }
+  void add(const Survey& other) {
+    start_radius = larger(start_radius, other.start_radius);
+    near_reach = larger(near_reach, other.near_reach);
+    far_reach = larger(far_reach, other.far_reach);
+    outside.insert(outside.end(), other.outside.begin(), other.outside.end());
+    inside += other.inside;
+  }
+};
+
+// Calls work(k, first, last) for each run of shapes [first, last), the k-th.
+template <class Work>
+void for_runs(int threads, ShapeId shapes, const Work& work) {
+  const std::size_t runs = (shapes + kShapesAtOnce - 1) / kShapesAtOnce;
+  in_parallel(threads, runs, [&](std::size_t k) {
+    const std::size_t first = k * kShapesAtOnce;
+    work(k, static_cast<ShapeId>(first),
+         static_cast<ShapeId>(std::min<std::size_t>(first + kShapesAtOnce, shapes)));
+  });
 }
 
 }  // namespace
 
 template <class Real>
-ShapeTree<Real>::ShapeTree(const ShapeTable<Real>& table) : table_(&table) {
-  std::vector<NumberedBox<Real>> boxes;
-  for (ShapeId id = 0; id < table.size(); ++id) {
-    const auto bounds = table.bounds(id);
-    if (!bounds || !is_useful(*bounds)) {
-      outside_.push_back(id);
-      continue;
-    }
-    const TreeBox<Real> box{bounds->min, bounds->max};
-    start_radius_ = larger(start_radius_, size_of(box));
-    boxes.push_back({box, id});
+ShapeTree<Real>::ShapeTree(const ShapeTable<Real>& table, int threads) : table_(&table) {
+  std::vector<Survey<Real>> surveys(table.size() / kShapesAtOnce + 1);
+  for_runs(threads, table.size(), [&](std::size_t k, ShapeId first, ShapeId last) {
+    for (ShapeId id = first; id < last; ++id)
+      surveys[k].add(id, useful_bounds(table, id));
+  });
+  Survey<Real> all;
+  std::vector<std::size_t> inside_before;
+  for (const Survey<Real>& survey : surveys) {
+    inside_before.push_back(all.inside);
+    all.add(survey);
   }
+  outside_ = std::move(all.outside);
+  if (all.inside == 0) return;
+  start_radius_ = all.start_radius;
+  near_reach_ = all.near_reach;
+  far_reach_ = all.far_reach;
+  units_ = units_per_length(Real(2) * start_radius_);  // a grown box may be twice as far away
+  std::vector<NumberedBox> boxes(all.inside);
+  for_runs(threads, table.size(), [&](std::size_t k, ShapeId first, ShapeId last) {
+    std::size_t place = inside_before[k];
+    for (ShapeId id = first; id < last; ++id) {
+      const auto bounds = useful_bounds(table, id);
+      if (!bounds) continue;
+      const Real by = bounds->reach <= kCommonReach<Real> ? Real(0) : bounds->reach * start_radius_;
+      const Vec3<Real> margin{by, by, by};
+      boxes[place++] = {tree_box(bounds->min - margin, bounds->max + margin, units_), id};
+    }
+  });
   if (boxes.size() == 1) {  // its kernel alone costs less
     outside_.insert(std::lower_bound(outside_.begin(), outside_.end(), boxes[0].number),
                     boxes[0].number);
     return;
   }
-  const Real u = ScalarTraits<Real>::unit_roundoff();
-  near_reach_ = Real(8) * u;
-  for (NumberedBox<Real>& box : boxes) {
-    const Real reach = table.bounds(box.number)->reach;
-    far_reach_ = larger(far_reach_, reach);
-    if (reach <= Real(kCommonRoundings) * u) {
-      near_reach_ = larger(near_reach_, reach);
-    } else {
-      const Real by = reach * start_radius_;
-      box.box.min = box.box.min - Vec3<Real>(by, by, by);
-      box.box.max = box.box.max + Vec3<Real>(by, by, by);
-    }
+  TreeBox around;
+  for (const NumberedBox& box : boxes)
+    around.add(box.box);
+  for (int axis = 0; axis < 3; ++axis) {
+    min_[axis] = static_cast<Real>(around.min(axis)) / units_;
+    max_[axis] = static_cast<Real>(around.max(axis)) / units_;
   }
-  TreeNodes<Real> built = build_tree(std::move(boxes));
-  nodes_ = std::move(built.nodes);
-  shapes_ = std::move(built.leaves);
+  nodes_ = build_tree(std::move(boxes), threads);
 }
 
 template <class Real>
 std::size_t ShapeTree<Real>::bytes() const {
-  return nodes_.size() * sizeof(nodes_[0]) + (shapes_.size() + outside_.size()) * sizeof(ShapeId);
+  return nodes_.size() * sizeof(TreeNode) + outside_.size() * sizeof(ShapeId);
 }
 
 template <class Real>
@@ -82,44 +141,59 @@ void ShapeTree<Real>::visit(const Ray<Real>& ray, const Source& source, Real fro
   const auto offer = [&](ShapeId id) {
     return id == source.shape || id == ignored || consider(id);
   };
+  const auto offer_all = [&] {
+    for (ShapeId id = 0; id < table_->size(); ++id) {
+      if (!offer(id)) return;
+    }
+  };
+  const Real speed = largest_coordinate(ray.direction);
+  if (!is_ordinary(speed) || !(largest_coordinate(ray.origin) <= largest_ordinary<Real>())) {
+    offer_all();
+    return;
+  }
   for (const ShapeId id : outside_) {
     if (!offer(id)) return;
   }
-  if (is_ordinary(largest_coordinate(ray.direction)) &&
-      largest_coordinate(ray.origin) <= largest_ordinary<Real>()) {
-    visit_nodes(ray, from, to, offer);
+  if (nodes_.empty()) return;
+  const Real margin = margin_of(ray.origin);
+  const TreeSpan<Real> span = span_in(min_, max_, ray, margin, from, to);
+  if (span.near > span.far) return;
+  const Real blur = units_ * margin;
+  if (blur > Real(1)) {  // so far away that any box is as likely as another
+    offer_all();
     return;
   }
-  for (const ShapeId id : shapes_) {
-    if (!offer(id)) return;
-  }
+  const Vec3<Real> origin = units_ * ray.at(span.near), d = ray.direction;
+  const TreeRay tree_ray(Vec3<float>(origin),
+                         {static_cast<float>(speed / d.x), static_cast<float>(speed / d.y),
+                          static_cast<float>(speed / d.z)},
+                         static_cast<float>(blur));
+  visit_nodes(tree_ray, TreeClock<Real>{span.near, speed * units_}, to, offer);
 }
 
 template <class Real>
 template <class Consider>
-void ShapeTree<Real>::visit_nodes(const Ray<Real>& ray, Real from, const Real& to,
+void ShapeTree<Real>::visit_nodes(const TreeRay& ray, const TreeClock<Real>& clock, const Real& to,
                                   const Consider& consider) const {
-  if (nodes_.empty()) return;
   struct Waiting {
-    Real near;
-    std::uint32_t child, count;  // as in TreeNode
+    float near;
+    TreeChild child;
   };
   // Each node on the way down leaves at most all of its children but one.
   std::array<Waiting, (kNodeWidth - 1) * kDeepestSplit + kNodeWidth> stack;
-  const TreeRay<Real> tree_ray(ray, margin_of(ray.origin));
-  stack[0] = {from, 0, 0};
+  stack[0] = {0, TreeChild::node(0)};
   std::size_t waiting = 1;
+  float end = clock.until(to);
   while (waiting > 0) {
     const Waiting next = stack[--waiting];
-    if (next.near > to) continue;
-    if (next.count > 0) {
-      for (std::uint32_t i = next.child; i < next.child + next.count; ++i) {
-        if (!consider(shapes_[i])) return;
-      }
+    if (next.near > end) continue;
+    if (next.child.is_shape()) {
+      if (!consider(next.child.index())) return;
+      end = clock.until(to);
       continue;
     }
-    const TreeNode<Real>& node = nodes_[next.child];
-    const auto spans = tree_ray.spans(node, from, to);
+    const TreeNode& node = nodes_[next.child.index()];
+    const auto spans = ray.spans(node, end);
     const std::size_t bottom = waiting;
     for (std::size_t k = 0; k < kNodeWidth; ++k) {
       if (spans.near[k] > spans.far[k]) continue;
@@ -127,7 +201,7 @@ void ShapeTree<Real>::visit_nodes(const Ray<Real>& ray, Real from, const Real& t
       std::size_t place = waiting++;
       for (; place > bottom && stack[place - 1].near < spans.near[k]; --place)
         stack[place] = stack[place - 1];
-      stack[place] = {spans.near[k], node.child[k], node.count[k]};
+      stack[place] = {spans.near[k], node.children[k]};
     }
   }
 }

@@ -4,9 +4,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "render/accel/hit.h"
-#include "render/accel/tree_build.h"
+#include "render/accel/tree_ray.h"
 
 namespace alhazen::render {
 
@@ -14,7 +15,8 @@ namespace alhazen::render {
 template <class Real>
 class ShapeTree {
  public:
-  explicit ShapeTree(const ShapeTable<Real>& table);
+  // The same tree for any number of threads.
+  explicit ShapeTree(const ShapeTable<Real>& table, int threads = 1);
 
   const ShapeTable<Real>& table() const { return *table_; }
   // Shapes that every ray is tested against.
@@ -31,15 +33,17 @@ class ShapeTree {
  private:
   Real margin_of(Vec3<Real> origin) const;
   template <class Consider>
-  void visit_nodes(const Ray<Real>& ray, Real from, const Real& to, const Consider& consider) const;
+  void visit_nodes(const TreeRay& ray, const TreeClock<Real>& clock, const Real& to,
+                   const Consider& consider) const;
 
   const ShapeTable<Real>* table_;
-  std::vector<TreeNode<Real>> nodes_;
-  std::vector<ShapeId> shapes_;   // of the leaves
+  std::vector<TreeNode> nodes_;
   std::vector<ShapeId> outside_;  // planes, and what has no useful bounds
   // The boxes hold the hits of rays that start no farther than start_radius_ from the origin in any
   // coordinate if they are grown by near_reach_ |origin|; else by far_reach_ |origin|.
   Real start_radius_ = 0, near_reach_ = 0, far_reach_ = 0;
+  Real units_ = 0;        // of the tree in a length of the scene
+  Vec3<Real> min_, max_;  // of all boxes
 };
 
 extern template class ShapeTree<float>;

@@ -1,212 +1,139 @@
 #include "render/accel/tree_build.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <utility>
+
+#include "core/base/parallel.h"
+#include "render/accel/tree_split.h"
 
 namespace alhazen::render {
 namespace {
 
-constexpr int kBins = 16;
+// Subtrees of no more shapes than this are built by one thread each. What is larger is split level
+// by level, the nodes of a level at once. The tree does not depend on it.
+constexpr std::size_t kLargestJob = 1 << 14;
 
-// Items [begin, end), after so many splits.
-template <class Real>
-struct Range {
-  std::size_t begin, end;
-  int splits;
-  TreeBox<Real> box;
-
-  std::size_t size() const { return end - begin; }
+struct Children {
+  std::array<TreeRange, kNodeWidth> range;
+  std::size_t count;
 };
 
-template <class Real>
-Real twice_center(const TreeBox<Real>& box, int axis) {
-  return box.min[axis] + box.max[axis];
-}
-
-template <class Real>
-Real half_area(const TreeBox<Real>& box) {
-  const Vec3<Real> size = box.max - box.min;
-  return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
-// The bins of one axis between the first and the last of (twice) the centres.
-template <class Real>
-struct Binning {
-  int axis = 0;
-  Real from = 0, extent = 0;
-
-  int bin_of(const NumberedBox<Real>& item) const {
-    const Real place = (twice_center(item.box, axis) - from) / extent;
-    return std::min(kBins - 1, static_cast<int>(place * Real(kBins)));
-  }
-};
-
-template <class Real>
-class Builder {
- public:
-  explicit Builder(std::vector<NumberedBox<Real>> boxes) : items_(std::move(boxes)) {}
-
-  TreeNodes<Real> build() {
-    if (items_.empty()) return {};
-    struct Task {
-      Range<Real> range;
-      std::uint32_t node;
-    };
-    result_.nodes.emplace_back();
-    std::vector<Task> tasks{{range_of(0, items_.size(), 0), 0}};
-    while (!tasks.empty()) {
-      const Task task = tasks.back();
-      tasks.pop_back();
-      const Children children = children_of(task.range);
-      for (std::size_t k = 0; k < children.count; ++k) {
-        const Range<Real>& child = children.range[k];
-        const bool is_leaf = child.size() <= kLargestLeaf;
-        const std::size_t there = is_leaf ? child.begin : result_.nodes.size();
-        if (!is_leaf) {
-          tasks.push_back({child, static_cast<std::uint32_t>(there)});
-          result_.nodes.emplace_back();
-        }
-        TreeNode<Real>& node = result_.nodes[task.node];
-        node.set_box(k, child.box);
-        node.child[k] = static_cast<std::uint32_t>(there);
-        node.count[k] = is_leaf ? static_cast<std::uint32_t>(child.size()) : 0;
-      }
-    }
-    result_.leaves.reserve(items_.size());
-    for (const NumberedBox<Real>& item : items_)
-      result_.leaves.push_back(item.number);
-    return std::move(result_);
-  }
-
- private:
-  struct Children {
-    std::array<Range<Real>, kNodeWidth> range;
-    std::size_t count;
-  };
-
-  Range<Real> range_of(std::size_t begin, std::size_t end, int splits) const {
-    Range<Real> range{begin, end, splits, {}};
-    for (std::size_t i = begin; i < end; ++i)
-      range.box.add(items_[i].box);
-    return range;
-  }
-
-  // Splits the child with the largest area until there are four or all are leaves.
-  Children children_of(const Range<Real>& whole) {
-    Children children{{whole}, 1};
-    while (children.count < kNodeWidth) {
-      Range<Real>* largest = nullptr;
-      for (std::size_t k = 0; k < children.count; ++k) {
-        Range<Real>& child = children.range[k];
-        if (child.size() <= kLargestLeaf) continue;
-        if (largest == nullptr || half_area(child.box) > half_area(largest->box)) largest = &child;
-      }
-      if (largest == nullptr) break;
-      const Range<Real> range = *largest;
-      const std::size_t middle = split(range);
-      *largest = range_of(range.begin, middle, range.splits + 1);
-      children.range[children.count++] = range_of(middle, range.end, range.splits + 1);
-    }
+// Splits the child with the largest area until there are eight or all are single shapes.
+Children children_of(std::span<NumberedBox> items, const TreeRange& whole) {
+  Children children{{whole}, 1};
+  if (whole.size() <= kNodeWidth) {
+    for (std::size_t k = 0; k < whole.size(); ++k)
+      children.range[k] = range_of(items, whole.begin + k, whole.begin + k + 1);
+    children.count = whole.size();
     return children;
   }
-
-  // Puts the items of one half before those of the other; where the second half begins.
-  std::size_t split(const Range<Real>& range) {
-    const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(range.begin);
-    const auto end = items_.begin() + static_cast<std::ptrdiff_t>(range.end);
-    const std::array<Binning<Real>, 3> axes = binnings(range);
-    if (range.splits < kDeepestFreeSplit) {
-      if (const auto cut = best_cut(range, axes)) {
-        const auto middle = std::partition(begin, end, [&cut](const NumberedBox<Real>& item) {
-          return cut->binning.bin_of(item) <= cut->last_bin;
-        });
-        return static_cast<std::size_t>(middle - items_.begin());
-      }
+  while (children.count < kNodeWidth) {
+    TreeRange* largest = nullptr;
+    for (std::size_t k = 0; k < children.count; ++k) {
+      TreeRange& child = children.range[k];
+      if (child.size() < 2) continue;
+      if (largest == nullptr || half_area(child.box) > half_area(largest->box)) largest = &child;
     }
-    const auto longest = std::max_element(
-        axes.begin(), axes.end(), [](const auto& a, const auto& b) { return a.extent < b.extent; });
-    const auto middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end,
-                     [longest](const NumberedBox<Real>& a, const NumberedBox<Real>& b) {
-                       const Real at_a = twice_center(a.box, longest->axis),
-                                  at_b = twice_center(b.box, longest->axis);
-                       return at_a != at_b ? at_a < at_b : a.number < b.number;
-                     });
-    return static_cast<std::size_t>(middle - items_.begin());
+    if (largest == nullptr) break;
+    const auto halves = split(items, *largest);
+    *largest = halves[0];
+    children.range[children.count++] = halves[1];
   }
+  return children;
+}
 
-  std::array<Binning<Real>, 3> binnings(const Range<Real>& range) const {
-    TreeBox<Real> centers;
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const Vec3<Real> center = items_[i].box.min + items_[i].box.max;
-      centers.add({center, center});
-    }
-    std::array<Binning<Real>, 3> axes;
-    for (int axis = 0; axis < 3; ++axis) {
-      axes[static_cast<std::size_t>(axis)] = {axis, centers.min[axis],
-                                              centers.max[axis] - centers.min[axis]};
-    }
-    return axes;
-  }
-
-  struct Cut {
-    Binning<Real> binning;
-    int last_bin;  // of the first half
-    Real cost;     // area times number, summed over the halves
-  };
-
-  // Nothing if all centres coincide.
-  std::optional<Cut> best_cut(const Range<Real>& range,
-                              const std::array<Binning<Real>, 3>& axes) const {
-    std::optional<Cut> best;
-    for (const Binning<Real>& binning : axes) {
-      if (!(binning.extent > Real(0))) continue;
-      std::array<TreeBox<Real>, kBins> boxes;
-      std::array<std::size_t, kBins> counts{};
-      for (std::size_t i = range.begin; i < range.end; ++i) {
-        const auto bin = static_cast<std::size_t>(binning.bin_of(items_[i]));
-        boxes[bin].add(items_[i].box);
-        ++counts[bin];
-      }
-      // Costs of the second halves from the end, then of the first halves from the start.
-      std::array<Real, kBins> after{};
-      TreeBox<Real> box;
-      std::size_t count = 0;
-      for (std::size_t k = kBins - 1; k > 0; --k) {
-        box.add(boxes[k]);
-        count += counts[k];
-        if (count > 0) after[k - 1] = half_area(box) * static_cast<Real>(count);
-      }
-      box = {};
-      count = 0;
-      for (std::size_t k = 0; k + 1 < kBins; ++k) {
-        box.add(boxes[k]);
-        count += counts[k];
-        if (count == 0 || count == range.size()) continue;
-        const Real cost = half_area(box) * static_cast<Real>(count) + after[k];
-        if (!best || cost < best->cost) best = Cut{binning, static_cast<int>(k), cost};
-      }
-    }
-    return best;
-  }
-
-  std::vector<NumberedBox<Real>> items_;
-  TreeNodes<Real> result_;
+// A range that node `parent` has as a child and that has no node yet.
+struct Pending {
+  TreeRange range;
+  std::size_t parent, place;
 };
+
+// Appends the node of the children; what of them is no single shape is given to `later`.
+template <class Later>
+void add_node(std::span<const NumberedBox> items, const Children& children,
+              std::vector<TreeNode>& nodes, const Later& later) {
+  const std::size_t index = nodes.size();
+  nodes.emplace_back();
+  for (std::size_t k = 0; k < children.count; ++k) {
+    const TreeRange& range = children.range[k];
+    nodes[index].set_box(k, range.box);
+    if (range.size() == 1) {
+      nodes[index].children[k] = TreeChild::shape(items[range.begin].number);
+    } else {
+      later(Pending{range, index, k});
+    }
+  }
+}
+
+std::vector<TreeNode> build_subtree(std::span<NumberedBox> items, const TreeRange& whole) {
+  std::vector<TreeNode> nodes;
+  std::vector<Pending> stack;
+  const auto push = [&stack](const Pending& pending) { stack.push_back(pending); };
+  add_node(items, children_of(items, whole), nodes, push);
+  while (!stack.empty()) {
+    const Pending next = stack.back();
+    stack.pop_back();
+    nodes[next.parent].children[next.place] = TreeChild::node(nodes.size());
+    add_node(items, children_of(items, next.range), nodes, push);
+  }
+  return nodes;
+}
+
+// Appends the nodes of a subtree, which number themselves from 0; where its root stands now.
+std::size_t append(const std::vector<TreeNode>& subtree, std::vector<TreeNode>& nodes) {
+  const std::size_t first = nodes.size();
+  for (TreeNode node : subtree) {
+    for (TreeChild& child : node.children) {
+      if (!child.is_shape()) child = TreeChild::node(first + child.index());
+    }
+    nodes.push_back(node);
+  }
+  return first;
+}
+
+// The nodes above the jobs; the jobs, in an order that depends on the boxes alone.
+std::vector<Pending> build_top(std::span<NumberedBox> items, const TreeRange& whole, int threads,
+                               std::vector<TreeNode>& nodes) {
+  std::vector<Pending> jobs, level{{whole, 0, 0}};
+  while (!level.empty()) {
+    std::vector<Children> children(level.size());
+    in_parallel(threads, level.size(),
+                [&](std::size_t i) { children[i] = children_of(items, level[i].range); });
+    std::vector<Pending> next;
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      if (!nodes.empty())
+        nodes[level[i].parent].children[level[i].place] = TreeChild::node(nodes.size());
+      add_node(items, children[i], nodes, [&](const Pending& pending) {
+        (pending.range.size() > kLargestJob ? next : jobs).push_back(pending);
+      });
+    }
+    level = std::move(next);
+  }
+  return jobs;
+}
 
 }  // namespace
 
-template <class Real>
-TreeNodes<Real> build_tree(std::vector<NumberedBox<Real>> boxes) {
-  return Builder<Real>(std::move(boxes)).build();
+std::vector<TreeNode> build_tree(std::vector<NumberedBox> boxes, int threads) {
+  if (boxes.empty()) return {};
+  const TreeRange whole = range_of(boxes, 0, boxes.size());
+  if (whole.size() <= kLargestJob) return build_subtree(boxes, whole);
+  std::vector<TreeNode> nodes;
+  const std::vector<Pending> jobs = build_top(boxes, whole, threads, nodes);
+  std::vector<std::vector<TreeNode>> subtrees(jobs.size());
+  in_parallel(threads, jobs.size(),
+              [&](std::size_t i) { subtrees[i] = build_subtree(boxes, jobs[i].range); });
+  boxes = {};
+  std::size_t count = nodes.size();
+  for (const auto& subtree : subtrees)
+    count += subtree.size();
+  nodes.reserve(count);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const std::size_t root = append(subtrees[i], nodes);
+    nodes[jobs[i].parent].children[jobs[i].place] = TreeChild::node(root);
+    subtrees[i] = {};
+  }
+  return nodes;
 }
-
-template TreeNodes<float> build_tree(std::vector<NumberedBox<float>>);
-template TreeNodes<double> build_tree(std::vector<NumberedBox<double>>);
-#if ALHAZEN_HAS_QUAD
-template TreeNodes<Quad> build_tree(std::vector<NumberedBox<Quad>>);
-#endif
 
 }  // namespace alhazen::render

@@ -1,16 +1,20 @@
 // render/accel: a ray made ready for the boxes of a tree.
 //
-// Slabs (Kay and Kajiya 1986) with one reciprocal per axis. Boxes are moved outward by `margin` by
-// moving the origin instead: inward faces are seen from a point farther back. With u the unit
-// roundoff, the moved origin, the difference, the reciprocal and the product have one rounding
-// each, together less than 8u (|origin| + |box|) of length (after T. Ize, "Robust BVH ray
-// traversal", JCGT 2(2), 2013, but as a length, not as a factor of t, so that an interval that
-// begins behind the origin is covered too). Boxes and margin have that to spare
-// (shape/bounds.h), so the computed interval holds the t of every hit.
+// First the ray meets the box around all, in its own precision: slabs (Kay and Kajiya 1986) with
+// one reciprocal per axis. Boxes are moved outward by `margin` by moving the origin instead: inward
+// faces are seen from a point farther back. With u the unit roundoff, the moved origin, the
+// difference, the reciprocal and the product have one rounding each, together less than
+// 8u (|origin| + |box|) of length (after T. Ize, "Robust BVH ray traversal", JCGT 2(2), 2013, but
+// as a length, not as a factor of t, so that an interval that begins behind the origin is covered
+// too). Boxes and margin have that to spare (shape/bounds.h), so the computed interval holds the t
+// of every hit.
 //
-// An axis along which the ray does not move, or so little that the reciprocal overflows, gets the
-// reciprocal +infinity: then the interval is everything or nothing, or 0 * infinity, a NaN, for an
-// origin on the very plane; the order of comparisons below passes over it.
+// Then it sets out anew from where it enters that box, however far away it came from, in the units
+// of the tree and in single precision, with its direction's largest component as 1. On the line
+// nothing is lost but roundings: of the new origin at most 2u |origin|, with u that of float from
+// here on, of its move by the margin, of the difference and of the product u each, of the
+// reciprocal 2u: together less than 8u (|origin| + |plane|) of length on each axis. The planes have
+// 32u of themselves to spare (tree_box.h), and the margin gets 16u of the origin.
 #pragma once
 
 #include "render/accel/tree_node.h"
@@ -18,45 +22,87 @@
 
 namespace alhazen::render {
 
+// A part of a line; empty where near > far.
 template <class Real>
+struct TreeSpan {
+  Real near, far;
+};
+
+// The part in [from, to] that lies in the box, moved outward by the margin. An axis along which the
+// ray does not move, or so little that the reciprocal overflows, gets the reciprocal +infinity:
+// then the interval is everything or nothing, or 0 * infinity, a NaN, for an origin on the very
+// plane; the order of comparisons below passes over it.
+template <class Real>
+inline TreeSpan<Real> span_in(Vec3<Real> min, Vec3<Real> max, const Ray<Real>& ray, Real margin,
+                              Real from, Real to) {
+  TreeSpan<Real> span{from, to};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real o = ray.origin[axis], reciprocal = Real(1) / ray.direction[axis];
+    const Real inverse = select(is_finite(reciprocal), reciprocal, Real(infinity<Real>()));
+    const Real low = (min[axis] - (o + margin)) * inverse;
+    const Real high = (max[axis] - (o - margin)) * inverse;
+    const Real near = select(high < low, high, low), far = select(high < low, low, high);
+    span.near = select(near > span.near, near, span.near);
+    span.far = select(far < span.far, far, span.far);
+  }
+  return span;
+}
+
+// Parameters of the shortened ray: t' = (t - start) * speed, rounded so that nothing is lost.
+template <class Real>
+struct TreeClock {
+  Real start, speed;
+
+  // No shape is left out that is met at t or before.
+  float until(Real t) const {
+    const float end = static_cast<float>(smaller((t - start) * speed, Real(kLongest)));
+    return end + (8 * kTreeRoundoff * end + kNothing);
+  }
+
+ private:
+  // No way within the tree is longer: its largest coordinate is 1, as is the direction's.
+  static constexpr float kLongest = 4;
+};
+
 class TreeRay {
  public:
-  TreeRay(const Ray<Real>& ray, Real margin) {
+  // Origin and direction in the units of the tree, the margin the kernels'.
+  TreeRay(Vec3<float> origin, Vec3<float> inverse, float margin) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Real o = ray.origin[static_cast<int>(axis)], d = ray.direction[static_cast<int>(axis)];
-      const Real reciprocal = Real(1) / d;
-      inverse_[axis] = is_finite(reciprocal) ? reciprocal : infinity<Real>();
-      const bool backwards = inverse_[axis] < Real(0);
-      near_side_[axis] = backwards ? TreeNode<Real>::kMax : TreeNode<Real>::kMin;
-      near_origin_[axis] = backwards ? o - margin : o + margin;
-      far_origin_[axis] = backwards ? o + margin : o - margin;
+      const float o = origin[static_cast<int>(axis)], i = inverse[static_cast<int>(axis)];
+      // An axis along which the ray all but stands still: as fast as this it does not get anywhere.
+      inverse_[axis] = absolute(i) <= kStandstill ? i : kStandstill;
+      const float by = margin + 16 * kTreeRoundoff * (margin + absolute(o)) + kNothing;
+      const bool backwards = inverse_[axis] < 0;
+      near_side_[axis] = backwards ? TreeNode::kMax : TreeNode::kMin;
+      near_origin_[axis] = backwards ? o - by : o + by;
+      far_origin_[axis] = backwards ? o + by : o - by;
     }
   }
 
-  // The parts of the line inside of the children's boxes that lie in [from, to]; empty where near >
-  // far.
-  struct Spans {
-    typename TreeNode<Real>::Lanes near, far;
-  };
-  Spans spans(const TreeNode<Real>& node, Real from, Real to) const {
-    Spans result;
-    result.near.fill(from);
+  // The parts of the ray in [0, to] inside of the children's boxes.
+  TreeSpan<std::array<float, kNodeWidth>> spans(const TreeNode& node, float to) const {
+    TreeSpan<std::array<float, kNodeWidth>> result;
+    result.near.fill(0);
     result.far.fill(to);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto& near_plane = node.planes[axis][near_side_[axis]];
       const auto& far_plane = node.planes[axis][1 - near_side_[axis]];
       for (std::size_t k = 0; k < kNodeWidth; ++k) {
-        const Real near = (near_plane[k] - near_origin_[axis]) * inverse_[axis];
-        const Real far = (far_plane[k] - far_origin_[axis]) * inverse_[axis];
-        result.near[k] = near > result.near[k] ? near : result.near[k];
-        result.far[k] = far < result.far[k] ? far : result.far[k];
+        const float near = (near_plane[k] - near_origin_[axis]) * inverse_[axis];
+        const float far = (far_plane[k] - far_origin_[axis]) * inverse_[axis];
+        result.near[k] = larger(result.near[k], near);
+        result.far[k] = smaller(result.far[k], far);
       }
     }
     return result;
   }
 
  private:
-  std::array<Real, 3> inverse_, near_origin_, far_origin_;
+  // Of 1: moves a ray by less than kNothing over the longest way.
+  static constexpr float kStandstill = 0x1p100f;
+
+  std::array<float, 3> inverse_, near_origin_, far_origin_;
   std::array<std::size_t, 3> near_side_;
 };
 

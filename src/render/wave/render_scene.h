@@ -8,6 +8,7 @@
 #include <system_error>
 #include <thread>
 
+#include "core/base/parallel.h"
 #include "render/wave/tile_render.h"
 
 namespace alhazen::render {
@@ -116,16 +117,13 @@ Result<RenderOutput> render_scene(const RenderJob& whole) {
   RenderOutput output;
   output.plan = whole.plan;
   make_planes(whole.window, whole.options.aovs, output.picture);
-  const World<Real> world(whole.scene, whole.images);
+  const World<Real> world(whole.scene, whole.images, thread_count(whole.options.threads));
   const TileJob<Real> job{world, output.plan, whole.scene.settings, whole.scene.camera,
                           whole.options};
   TileQueue queue;
   queue.tiles = tiles_of(whole.window, TileRenderer<Real>::kTileSize);
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t asked = whole.options.threads > 0
-                                ? static_cast<std::size_t>(whole.options.threads)
-                                : static_cast<std::size_t>(cores);
-  const std::size_t wanted = std::min(asked, queue.tiles.size());
+  const std::size_t wanted =
+      std::min(static_cast<std::size_t>(thread_count(whole.options.threads)), queue.tiles.size());
   const auto work_safely = [&]() noexcept {
     try {
       work(job, whole, queue, output.picture, output.statistics);

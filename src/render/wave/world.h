@@ -19,10 +19,11 @@ namespace alhazen::render {
 
 template <class Real>
 struct World {
-  World(const Scene& scene, const std::vector<ImagePixels>& pictures)
+  // The same for any number of threads.
+  World(const Scene& scene, const std::vector<ImagePixels>& pictures, int threads = 1)
       : world_offset(scene.camera.frame.position),
         shapes(scene.shapes, world_offset),
-        tree(shapes),
+        tree(shapes, threads),
         materials(scene),
         textures(scene.textures, views_of(pictures), world_offset),
         lights(scene.lights, world_offset),

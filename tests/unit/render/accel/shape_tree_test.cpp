@@ -196,7 +196,7 @@ TEST(ShapeTree, BoundedDepthHoweverShapesLie) {
   const ShapeTable<double> table(shapes, Vec3d{});
   const ShapeTree<double> tree(table);
   // At worst the lowest nodes have two children and all others four: 2/3 of a node a shape.
-  EXPECT_LE(tree.bytes(), (2 * sizeof(TreeNode<double>) / 3 + sizeof(ShapeId) + 1) * shapes.size());
+  EXPECT_LE(tree.bytes(), (2 * sizeof(TreeNode) / 3 + sizeof(ShapeId) + 1) * shapes.size());
   const Ray<double> ray{{-1, 0, 0}, {1, 0, 0}};
   expect_same(closest_hit(tree, ray, Source(), infinity<double>()),
               closest_hit(table, ray, Source(), infinity<double>()));
