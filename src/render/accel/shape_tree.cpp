@@ -193,16 +193,18 @@ void ShapeTree<Real>::visit_nodes(const TreeRay& ray, const TreeClock<Real>& clo
       continue;
     }
     const TreeNode& node = nodes_[next.child.index()];
-    const auto spans = ray.spans(node, end);
+    const TreeRay::Met met = ray.meet(node, end);
+    std::array<float, kNodeWidth> near;
+    met.near.store(near.data());
     const std::size_t bottom = waiting;
-    for (std::size_t k = 0; k < kNodeWidth; ++k) {
-      if (spans.near[k] > spans.far[k]) continue;
+    for_each_lane(met.mask, [&](int lane) {
       // The nearest on top.
+      const auto k = static_cast<std::size_t>(lane);
       std::size_t place = waiting++;
-      for (; place > bottom && stack[place - 1].near < spans.near[k]; --place)
+      for (; place > bottom && stack[place - 1].near < near[k]; --place)
         stack[place] = stack[place - 1];
-      stack[place] = {spans.near[k], node.children[k]};
-    }
+      stack[place] = {near[k], node.children[k]};
+    });
   }
 }
 

@@ -19,6 +19,7 @@
 
 #include "render/accel/tree_node.h"
 #include "render/shape/crossing.h"
+#include "render/simd/lanes.h"
 
 namespace alhazen::render {
 
@@ -64,6 +65,8 @@ struct TreeClock {
   static constexpr float kLongest = 4;
 };
 
+using NodeLanes = Lanes<float, static_cast<int>(kNodeWidth)>;
+
 class TreeRay {
  public:
   // Origin and direction in the units of the tree, the margin the kernels'.
@@ -80,22 +83,21 @@ class TreeRay {
     }
   }
 
-  // The parts of the ray in [0, to] inside of the children's boxes.
-  TreeSpan<std::array<float, kNodeWidth>> spans(const TreeNode& node, float to) const {
-    TreeSpan<std::array<float, kNodeWidth>> result;
-    result.near.fill(0);
-    result.far.fill(to);
+  // Where the ray enters the children's boxes, and which of them it meets in [0, to].
+  struct Met {
+    NodeLanes near;
+    NodeLanes::Mask mask;
+  };
+  Met meet(const TreeNode& node, float to) const {
+    NodeLanes near(0), far(to);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto& near_plane = node.planes[axis][near_side_[axis]];
-      const auto& far_plane = node.planes[axis][1 - near_side_[axis]];
-      for (std::size_t k = 0; k < kNodeWidth; ++k) {
-        const float near = (near_plane[k] - near_origin_[axis]) * inverse_[axis];
-        const float far = (far_plane[k] - far_origin_[axis]) * inverse_[axis];
-        result.near[k] = larger(result.near[k], near);
-        result.far[k] = smaller(result.far[k], far);
-      }
+      const auto& planes = node.planes[axis];
+      const NodeLanes near_plane = NodeLanes::load(planes[near_side_[axis]].data());
+      const NodeLanes far_plane = NodeLanes::load(planes[1 - near_side_[axis]].data());
+      near = larger(near, (near_plane - near_origin_[axis]) * inverse_[axis]);
+      far = smaller(far, (far_plane - far_origin_[axis]) * inverse_[axis]);
     }
-    return result;
+    return {near, near <= far};
   }
 
  private:
