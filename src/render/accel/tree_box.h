@@ -29,9 +29,10 @@ constexpr bool is_ordinary(Real length) {
   return length >= Real(1) / largest_ordinary<Real>() && length <= largest_ordinary<Real>();
 }
 
-inline constexpr float kTreeRoundoff = 0x1p-24f;
-// Less than this does not count beside a tree's size.
-inline constexpr float kNothing = 0x1p-90f;
+inline constexpr float kTreeRoundoff = ScalarTraits<float>::unit_roundoff();
+// A length that does not count beside a tree's, and that sets every box apart from numbers too
+// small to be told from 0.
+inline constexpr float kNothing = kTreeRoundoff * kTreeRoundoff * kTreeRoundoff * kTreeRoundoff;
 
 // The units of a tree in which no coordinate is larger than `size`, which is ordinary.
 template <class Real>

@@ -101,8 +101,8 @@ class TreeRay {
   }
 
  private:
-  // Of 1: moves a ray by less than kNothing over the longest way.
-  static constexpr float kStandstill = 0x1p100f;
+  // The reciprocal of a speed by which a ray moves by less than kNothing on the longest way.
+  static constexpr float kStandstill = 16 / kNothing;
 
   std::array<float, 3> inverse_, near_origin_, far_origin_;
   std::array<std::size_t, 3> near_side_;
