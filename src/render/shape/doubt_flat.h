@@ -115,7 +115,7 @@ inline Doubts<Real> doubts(const Triangle<Real>& triangle, const Ray<Real>& ray,
 template <class Real>
 inline Doubts<Real> doubts(const Parallelogram<Real>& quad, const Ray<Real>& ray, Departure from) {
   if (from.from_surface()) return {};
-  return doubts_of_polygon(quad.corners, ray, hit_halves(quad, ray).triangle);
+  return doubts_of_polygon(quad.corners, ray, hit_halves(quad, ShearedRay<Real>(ray)).triangle);
 }
 
 }  // namespace alhazen::render

@@ -24,8 +24,8 @@ struct ParallelogramHit {
 };
 
 template <class Real>
-inline ParallelogramHit<Real> hit_halves(const Parallelogram<Real>& quad, const Ray<Real>& ray) {
-  const ShearedRay<Real> sheared(ray);
+inline ParallelogramHit<Real> hit_halves(const Parallelogram<Real>& quad,
+                                         const ShearedRay<Real>& sheared) {
   const auto& [a, b, c, d] = quad.corners;
   ParallelogramHit<Real> result;
   result.corners = {a, b, c};
@@ -44,11 +44,15 @@ inline ParallelogramHit<Real> hit_halves(const Parallelogram<Real>& quad, const 
 }
 
 template <class Real>
-inline CrossingPair<Real> crossings(const Parallelogram<Real>& quad, const Ray<Real>& ray) {
+inline CrossingPair<Real> crossings(const Parallelogram<Real>& quad, const ShearedRay<Real>& ray) {
   const TriangleHit<Real> hit = hit_halves(quad, ray).triangle;
   CrossingPair<Real> result;
   result.set_near(hit.hit, hit.t, 0, hit.enters != quad.reversed);
   return result;
+}
+template <class Real>
+inline CrossingPair<Real> crossings(const Parallelogram<Real>& quad, const Ray<Real>& ray) {
+  return crossings(quad, ShearedRay<Real>(ray));
 }
 
 // It is flat, so no ray that leaves it comes back.
@@ -62,7 +66,7 @@ inline CrossingPair<Real> own_crossings(const Parallelogram<Real>& /*quad*/,
 template <bool with_coordinates = true, class Real>
 inline Surface<Real> surface(const Parallelogram<Real>& quad, const Ray<Real>& ray,
                              const Crossing<Real>& /*crossing*/) {
-  const ParallelogramHit<Real> hit = hit_halves(quad, ray);
+  const ParallelogramHit<Real> hit = hit_halves(quad, ShearedRay<Real>(ray));
   const Vec3<Real> n = normal_of_edges(quad.corners[1] - quad.corners[0],
                                        quad.corners[3] - quad.corners[0], quad.reversed);
   return {weighted(hit.triangle.weights, hit.corners), n, n, smaller(hit.u, Real(1)),

@@ -57,9 +57,12 @@ class ShapeTable {
   // Of rays from elsewhere with one shape.
   template <class L>
   CrossingPair<L> crossings(ShapeId id, const Ray<L>& ray) const {
-    const Entry& entry = entries_[id];
-    if (!entry.in_object_frame) return crossings_of(entry, ray);
-    return crossings_of(entry, convert<L>(placements_[entry.placement]).in_object(ray));
+    return crossings_of(entries_[id], ray);
+  }
+  // The same of rays that have been made ready for many triangles and quads.
+  template <class L>
+  CrossingPair<L> crossings(ShapeId id, const ShearedRay<L>& ray) const {
+    return crossings_of(entries_[id], ray);
   }
   Crossings<Real> crossings(ShapeId id, const Ray<Real>& ray, Departure from) const;
   // Each of the active lanes with the shape whose surface it leaves.
@@ -92,10 +95,14 @@ class ShapeTable {
   class Builder;
 
   Ray<Real> own_ray(const Entry& entry, const Ray<Real>& ray) const;
-  template <class L>
-  CrossingPair<L> crossings_of(const Entry& entry, const Ray<L>& own) const {
-    return kernels_.visit(
-        entry, [&](const auto& kernel) { return render::crossings(convert<L>(kernel), own); });
+  template <template <class> class RayKind, class L>
+  CrossingPair<L> crossings_of(const Entry& entry, const RayKind<L>& ray) const {
+    const auto with_kernel = [&](const auto& own) {
+      return kernels_.visit(
+          entry, [&](const auto& kernel) { return render::crossings(convert<L>(kernel), own); });
+    };
+    if (!entry.in_object_frame) return with_kernel(ray);
+    return with_kernel(convert<L>(placements_[entry.placement]).in_object(ray));
   }
   template <bool with_coordinates, class L>
   SurfacePoint<L> surface_of_one(const Entry& entry, const Ray<L>& ray,

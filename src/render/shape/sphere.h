@@ -42,14 +42,15 @@ template <class Real>
 inline Quadratic<Real> two_word_equation(Vec3<Real> o, Vec3<Real> d, Real radius) {
   const DoubleWord<Real> a = two_dot(d, d), b = two_dot(o, d), c = two_sphere_power(o, radius);
   const DoubleWord<Real> reach = two_square(radius) * a;
-  Quadratic<Real> equation{a.hi, b.hi, c.hi, (squared(b) - a * c).hi};
+  Quadratic<Real> equation{a.hi, b.hi, c.hi, Real(0)};
   // Near the surface, b^2 and a c are the smaller terms of the two ways to write the same number.
-  const MaskOf<Real> far = !(fused_multiply_add(b.hi, b.hi, absolute(a.hi * c.hi)) < reach.hi);
-  if (any(far)) {
+  const MaskOf<Real> near = fused_multiply_add(b.hi, b.hi, absolute(a.hi * c.hi)) < reach.hi;
+  if (any(near)) equation.discriminant = (squared(b) - a * c).hi;
+  if (!all(near)) {
     const DoubleWord<Real> moment_squared = squared(two_minor(o.y, d.z, o.z, d.y)) +
                                             squared(two_minor(o.z, d.x, o.x, d.z)) +
                                             squared(two_minor(o.x, d.y, o.y, d.x));
-    equation.discriminant = select(far, (reach - moment_squared).hi, equation.discriminant);
+    equation.discriminant = select(near, equation.discriminant, (reach - moment_squared).hi);
   }
   return equation;
 }

@@ -19,13 +19,14 @@ namespace alhazen::render {
 
 // A ray made ready for any number of triangles: which axis it mostly follows, and the shear.
 template <class Real>
-struct ShearedRay {
+struct ShearedRay : Ray<Real> {
+  using Ray<Real>::origin, Ray<Real>::direction;
+
   MaskOf<Real> along_x, along_y;  // else along z
   MaskOf<Real> backward;
   Real shear_x, shear_y, scale_z;
-  Vec3<Real> origin, direction;
 
-  explicit ShearedRay(const Ray<Real>& ray) : origin(ray.origin), direction(ray.direction) {
+  explicit ShearedRay(const Ray<Real>& ray) : Ray<Real>(ray) {
     const Real ax = absolute(direction.x), ay = absolute(direction.y), az = absolute(direction.z);
     const MaskOf<Real> x_before_y = ax > ay;
     along_x = x_before_y && ax > az;
@@ -127,11 +128,15 @@ struct Triangle {
 };
 
 template <class Real>
-inline CrossingPair<Real> crossings(const Triangle<Real>& triangle, const Ray<Real>& ray) {
-  const TriangleHit<Real> hit = hit_sheared(ShearedRay<Real>(ray), triangle.corners);
+inline CrossingPair<Real> crossings(const Triangle<Real>& triangle, const ShearedRay<Real>& ray) {
+  const TriangleHit<Real> hit = hit_sheared(ray, triangle.corners);
   CrossingPair<Real> result;
   result.set_near(hit.hit, hit.t, 0, hit.enters != triangle.reversed);
   return result;
+}
+template <class Real>
+inline CrossingPair<Real> crossings(const Triangle<Real>& triangle, const Ray<Real>& ray) {
+  return crossings(triangle, ShearedRay<Real>(ray));
 }
 
 // It is flat, so no ray that leaves it comes back.

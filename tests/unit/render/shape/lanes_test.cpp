@@ -115,7 +115,7 @@ Ray<Real> any_ray(Dice& dice) {
 // Calls try_kernel(kernel) with kernels of every kind, about 1 in size.
 template <class Real, class Function>
 void for_each_kernel(Dice& dice, const Function& try_kernel) {
-  const Vec3d at = dice.in_cube(0.5), axis = dice.direction(), origin;
+  const Vec3d at = dice.in_cube(0.5), axis = dice.direction();
   const auto kernel = [](const auto& shape) { return convert<Real>(from_scene(shape, Vec3d())); };
   try_kernel(kernel(alhazen::Sphere{{}, 1}));
   try_kernel(kernel(alhazen::Sphere{at, dice.uniform(0.2, 2)}));
@@ -255,13 +255,17 @@ void try_table(bool same_shape) {
     const auto active = MaskOf<L>::from_bits(hit_lanes);
     const Ray<L> rays = batch.lanes();
     const CrossingPair<L> first = table.crossings(static_cast<ShapeId>(common), rays);
+    const CrossingPair<L> sheared =
+        table.crossings(static_cast<ShapeId>(common), ShearedRay<L>(rays));
     const SurfacePoint<L> points = table.surface(shape, rays, crossing, active);
     const SurfacePoint<L> plain = table.plain_surface(shape, rays, crossing, active);
     Batch<L> onward = batch;
     IntOf<L> side;
     for (int i = 0; i < L::kWidth; ++i) {
       const auto lane = static_cast<std::size_t>(i);
-      expect_same_pair(first, i, table.crossings(static_cast<ShapeId>(common), batch.rays[lane]));
+      const auto of_common = table.crossings(static_cast<ShapeId>(common), batch.rays[lane]);
+      expect_same_pair(first, i, of_common);
+      expect_same_pair(sheared, i, of_common);
       if (!active[i]) continue;
       ++met;
       const Crossing<Real> alone{crossing.t[i], static_cast<int>(crossing.face[i]), false};
