@@ -10,7 +10,10 @@ namespace alhazen::render {
 // A channel that is not absorbed keeps all of its light, also over an infinite distance.
 template <class Real>
 inline Rgb<Real> transmitted_share(Rgb<Real> absorption, Real distance) {
-  const auto channel = [distance](Real a) { return a == 0 ? Real(1) : exp_of(-a * distance); };
+  const auto channel = [distance](Real a) {
+    const MaskOf<Real> absorbs = a != Real(0);
+    return any(absorbs) ? select(absorbs, exp_of(-a * distance), Real(1)) : Real(1);
+  };
   return {channel(absorption.r), channel(absorption.g), channel(absorption.b)};
 }
 

@@ -63,7 +63,6 @@ CoatLayer<Real> make_coat_layer(const Coat& coat) {
       Rgbd(internal_return(eta, tau.r), internal_return(eta, tau.g), internal_return(eta, tau.b)));
   layer.diffuse_escape =
       Rgb<Real>(Rgbd(escape(eta, tau.r), escape(eta, tau.g), escape(eta, tau.b)));
-  layer.absorbs = !is_black(tau);
   return layer;
 }
 

@@ -25,7 +25,6 @@ struct CoatLayer {
   Rgb<Real> optical_depth;   // tau
   Rgb<Real> internal;        // K
   Rgb<Real> diffuse_escape;  // 2/n^2 integral of T(mu) exp(-tau / mu') mu dmu: out of the layer
-  bool absorbs = false;
 };
 
 // Integrates K and the escape once per material, to 1e-14.
@@ -42,10 +41,12 @@ inline Real coat_mirror_reflectance(const CoatLayer<Real>& layer, Real cosine) {
 template <class Real>
 inline Rgb<Real> coat_passage(const CoatLayer<Real>& layer, Real cosine) {
   const DielectricInterface<Real> top = dielectric_interface(cosine, layer.eta);
-  if (!layer.absorbs) return Rgb<Real>(top.transmittance);
   const Rgb<Real> tau = layer.optical_depth;
+  const MaskOf<Real> is_clear = is_black(tau);
+  if (all(is_clear)) return Rgb<Real>(top.transmittance);
   const Real c = top.cos_transmitted;
-  return top.transmittance * Rgb<Real>(exp_of(-tau.r / c), exp_of(-tau.g / c), exp_of(-tau.b / c));
+  const Rgb<Real> share(exp_of(-tau.r / c), exp_of(-tau.g / c), exp_of(-tau.b / c));
+  return select(is_clear, Rgb<Real>(top.transmittance), top.transmittance * share);
 }
 
 // rho / (1 - rho K), channel by channel.

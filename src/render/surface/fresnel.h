@@ -16,7 +16,7 @@ struct DielectricInterface {
   Real transmittance = 0;    // 1 - reflectance, of the same relative accuracy when it is small
   Real cos_transmitted = 0;  // of the refracted ray with the normal of its side
   Real bend = 0;             // eta cos_i - cos_t: the refracted ray is eta d + bend n (refract.h)
-  bool total_reflection = true;  // then nothing is transmitted and the ray does not exist
+  MaskOf<Real> total_reflection = true;  // then nothing is transmitted; there is no such ray
 };
 
 // sin and cos of Snell's law: cos_t^2 = 1 - eta^2 (1 - cos_i^2), negative beyond the critical
@@ -41,30 +41,30 @@ inline DielectricInterface<Real> interface_from_cosines(Real cos_incident, Real 
   result.cos_transmitted = cos_transmitted;
   result.total_reflection = false;
   const Real sum = fused_multiply_add(eta, cos_incident, cos_transmitted);
-  if (sum == 0) {  // 0/0: a tangent ray where there is no step of index; it goes on
-    result.reflectance = 0;
-    result.transmittance = 1;
-    return result;
-  }
-  result.bend = fused_multiply_add(eta, eta, Real(-1)) / sum;
-  const Real r_s = result.bend / sum;
+  // 0/0: a tangent ray where there is no step of index; it goes on.
+  const MaskOf<Real> is_tangent = sum == Real(0);
+  const Real bend = fused_multiply_add(eta, eta, Real(-1)) / sum;
+  result.bend = select(is_tangent, Real(0), bend);
+  const Real r_s = bend / sum;
   const Real cosines = cos_incident * cos_transmitted;
   // sin_i sin_t from the rarer side, where the angle is larger: the same number for both ways.
-  const Real sines = eta < 1 ? eta * ((1 - cos_incident) * (1 + cos_incident))
-                             : (1 - cos_transmitted) * (1 + cos_transmitted) / eta;
+  const Real sines = select(eta < Real(1), eta * ((1 - cos_incident) * (1 + cos_incident)),
+                            (1 - cos_transmitted) * (1 + cos_transmitted) / eta);
   const Real ratio = (cosines - sines) / (cosines + sines);
   const Real half_rs_squared = r_s * r_s / 2;
-  result.reflectance = fused_multiply_add(half_rs_squared, ratio * ratio, half_rs_squared);
-  if (result.reflectance <= Real(0.5)) {
-    result.transmittance = 1 - result.reflectance;
-    return result;
+  const Real reflectance = fused_multiply_add(half_rs_squared, ratio * ratio, half_rs_squared);
+  result.reflectance = select(is_tangent, Real(0), reflectance);
+  result.transmittance = 1 - result.reflectance;
+  const MaskOf<Real> is_bright = !(result.reflectance <= Real(0.5));
+  if (any(is_bright)) {
+    // 1 - r^2 = 4 a b / (a + b)^2 for each polarisation.
+    const Real sum_p = fused_multiply_add(eta, cos_transmitted, cos_incident);
+    const Real t_s = (eta * cos_incident / sum) * (cos_transmitted / sum);
+    const Real t_p = (cos_incident / sum_p) * (eta * cos_transmitted / sum_p);
+    const Real transmittance = 2 * (t_s + t_p);
+    result.transmittance = select(is_bright, transmittance, result.transmittance);
+    result.reflectance = select(is_bright, 1 - transmittance, result.reflectance);
   }
-  // 1 - r^2 = 4 a b / (a + b)^2 for each polarisation.
-  const Real sum_p = fused_multiply_add(eta, cos_transmitted, cos_incident);
-  const Real t_s = (eta * cos_incident / sum) * (cos_transmitted / sum);
-  const Real t_p = (cos_incident / sum_p) * (eta * cos_transmitted / sum_p);
-  result.transmittance = 2 * (t_s + t_p);
-  result.reflectance = 1 - result.transmittance;
   return result;
 }
 
@@ -73,8 +73,15 @@ template <class Real>
 inline DielectricInterface<Real> dielectric_interface(Real cos_incident, Real eta) {
   cos_incident = smaller(cos_incident, Real(1));
   const Real squared = cos_transmitted_squared(cos_incident, eta);
-  if (squared < 0) return {};
-  return interface_from_cosines(cos_incident, square_root(squared), eta);
+  const MaskOf<Real> is_total = squared < Real(0);
+  if (all(is_total)) return {};
+  const DielectricInterface<Real> passing =
+      interface_from_cosines(cos_incident, square_root(squared), eta);
+  if (!any(is_total)) return passing;
+  const auto unless_total = [&](Real value, Real total) { return select(is_total, total, value); };
+  return {unless_total(passing.reflectance, Real(1)), unless_total(passing.transmittance, Real(0)),
+          unless_total(passing.cos_transmitted, Real(0)), unless_total(passing.bend, Real(0)),
+          is_total};
 }
 
 // Reflectance of a conductor of index n + i k relative to the medium of the incident ray, k >= 0.
@@ -96,18 +103,19 @@ inline Real conductor_reflectance(Real cos_incident, Real n, Real k) {
   const Real larger_square = (modulus + absolute(real_part)) / 2;
   const Real half_imaginary = imaginary_part / 2;
   const Real smaller_square =
-      larger_square > 0 ? half_imaginary / larger_square * half_imaginary : Real(0);
-  const Real a = square_root(real_part >= 0 ? larger_square : smaller_square);
-  const Real b_squared = real_part >= 0 ? smaller_square : larger_square;
+      select(larger_square > Real(0), half_imaginary / larger_square * half_imaginary, Real(0));
+  const MaskOf<Real> refracts_more = real_part >= Real(0);
+  const Real a = square_root(select(refracts_more, larger_square, smaller_square));
+  const Real b_squared = select(refracts_more, smaller_square, larger_square);
 
   const Real below_s = fused_multiply_add(a + c, a + c, b_squared);
-  if (below_s == 0) return 0;  // n = 1, k = 0, tangent: there is no interface
   const Real r_s = fused_multiply_add(a - c, a - c, b_squared) / below_s;
   const Real bc_squared = b_squared * c * c;
   const Real above_p = fused_multiply_add(a * c - s, a * c - s, bc_squared);
   const Real below_p = fused_multiply_add(a * c + s, a * c + s, bc_squared);
-  if (below_p == 0) return r_s;  // normal incidence on an index of 0
-  return r_s * (1 + above_p / below_p) / 2;
+  const Real both = r_s * (1 + above_p / below_p) / 2;
+  const Real reflectance = select(below_p == Real(0), r_s, both);  // normal, on an index of 0
+  return select(below_s == Real(0), Real(0), reflectance);  // n = 1, k = 0, tangent: no interface
 }
 
 // Per channel, in the medium of index `n_incident`.

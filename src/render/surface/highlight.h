@@ -17,21 +17,23 @@
 
 namespace alhazen::render {
 
+// Nothing but numbers, so that lanes may each have a lobe of their own (simd/records.h).
 template <class Real>
 struct HighlightLobe {
-  HighlightModel model = HighlightModel::blinn;
-  Rgb<Real> scale;  // strength times normalisation
+  Real is_phong = 0;  // 1 for Phong's lobe, 0 for Blinn's
+  Rgb<Real> scale;    // strength times normalisation
   Real exponent = 1;
 };
 
 template <class Real>
 inline HighlightLobe<Real> make_highlight_lobe(const Highlight& highlight) {
   const double m = highlight.exponent;
+  const bool is_phong = highlight.model == HighlightModel::phong;
   const double normalisation =
-      highlight.model == HighlightModel::phong
-          ? (m + 2) / (2 * pi<double>())
-          : (m + 2) / (8 * pi<double>()) * ((m + 4) / (m + power(2.0, -m / 2)));
-  return {highlight.model, Rgb<Real>(normalisation * highlight.strength), static_cast<Real>(m)};
+      is_phong ? (m + 2) / (2 * pi<double>())
+               : (m + 2) / (8 * pi<double>()) * ((m + 4) / (m + power(2.0, -m / 2)));
+  return {static_cast<Real>(is_phong ? 1 : 0), Rgb<Real>(normalisation * highlight.strength),
+          static_cast<Real>(m)};
 }
 
 // The reflectance distribution, without the cosine at the light. All directions are of unit length
@@ -40,13 +42,15 @@ template <class Real>
 inline Rgb<Real> highlight_value(const HighlightLobe<Real>& lobe, Vec3<Real> normal,
                                  Vec3<Real> to_view, Vec3<Real> to_light) {
   const Real cos_light = dot(normal, to_light), cos_view = dot(normal, to_view);
-  if (!(cos_light > 0) || !(cos_view > 0)) return Rgb<Real>(Real(0));
+  const MaskOf<Real> both_see = cos_light > Real(0) && cos_view > Real(0);
   // r.l = 2 (n.v)(n.l) - v.l, symmetric to the bit.
-  const Real cos_lobe = lobe.model == HighlightModel::phong
-                            ? 2 * (cos_view * cos_light) - dot(to_view, to_light)
-                            : dot(normal, normalized(to_view + to_light));
-  if (!(cos_lobe > 0)) return Rgb<Real>(Real(0));
-  return power(smaller(cos_lobe, Real(1)), lobe.exponent) * lobe.scale;
+  const Real cos_lobe =
+      select(lobe.is_phong != Real(0), 2 * (cos_view * cos_light) - dot(to_view, to_light),
+             dot(normal, normalized(to_view + to_light)));
+  const MaskOf<Real> shines = both_see && cos_lobe > Real(0);
+  if (!any(shines)) return Rgb<Real>();
+  const Rgb<Real> value = power(smaller(cos_lobe, Real(1)), lobe.exponent) * lobe.scale;
+  return select(shines, value, Rgb<Real>());
 }
 
 }  // namespace alhazen::render

@@ -8,6 +8,8 @@
 
 namespace alhazen::render {
 
+// Nothing but numbers, so that lanes may each have a finish of their own (simd/records.h). What is
+// asked is answered by 1 for yes and 0 for no.
 template <class Real>
 struct PovSurface {
   Real filter = 0, transmit = 0, opacity = 1;
@@ -18,9 +20,7 @@ struct PovSurface {
   Real metallic = 0;
   Rgb<Real> reflect_min, reflect_max;
   Real reflect_falloff = 1, reflect_metallic = 0;
-  bool fresnel = false;
-  bool conserves_energy = false;
-  bool fades = false;
+  Real fresnel = 0, conserves_energy = 0, fades = 0;
   Real fade_distance = 0, fade_power = 0;
   Rgb<Real> fade_color;
 };
@@ -43,9 +43,9 @@ inline PovSurface<Real> make_pov_surface(const PovFinish& m) {
   s.reflect_max = Rgb<Real>(m.reflection.max);
   s.reflect_falloff = static_cast<Real>(m.reflection.falloff);
   s.reflect_metallic = static_cast<Real>(m.reflection.metallic);
-  s.fresnel = m.reflection.fresnel;
-  s.conserves_energy = m.conserve_energy;
-  s.fades = fades(m);
+  s.fresnel = static_cast<Real>(m.reflection.fresnel ? 1 : 0);
+  s.conserves_energy = static_cast<Real>(m.conserve_energy ? 1 : 0);
+  s.fades = static_cast<Real>(fades(m) ? 1 : 0);
   s.fade_distance = static_cast<Real>(m.fade_distance);
   s.fade_power = static_cast<Real>(m.fade_power);
   s.fade_color = Rgb<Real>(m.fade_color);
@@ -56,12 +56,14 @@ inline PovSurface<Real> make_pov_surface(const PovFinish& m) {
 // angles: POV-Ray's fit to Fresnel's equations, of x = the angle over a right angle.
 template <class Real>
 inline Rgb<Real> pov_metal_tint(Real metallic, Rgb<Real> color, Real cosine) {
-  if (metallic == 0) return Rgb<Real>(Real(1));
+  const MaskOf<Real> is_metallic = metallic != Real(0);
+  if (!any(is_metallic)) return Rgb<Real>(Real(1));
   const Real x = 4 * acos_turns(smaller(cosine, Real(1)));
   const Real below = x - Real(1.12);
   const Real fit = Real(0.014567225) / (below * below) - Real(0.011612903);
   const Real share = metallic * (1 - larger(Real(0), smaller(Real(1), fit)));
-  return Rgb<Real>(Real(1)) + share * (color - Rgb<Real>(Real(1)));
+  return select(is_metallic, Rgb<Real>(Real(1)) + share * (color - Rgb<Real>(Real(1))),
+                Rgb<Real>(Real(1)));
 }
 
 // What both highlights add to light 1. All directions are of unit length and point away from the
@@ -71,26 +73,38 @@ inline Rgb<Real> pov_highlights(const PovSurface<Real>& s, Rgb<Real> color, Vec3
                                 Vec3<Real> to_view, Vec3<Real> to_light) {
   const Real cos_light = dot(normal, to_light);
   Real sum = 0;
-  if (s.phong != 0) {
+  const auto add = [&sum](MaskOf<Real> shines, Real strength, Real along, Real exponent) {
+    if (!any(shines)) return;
+    const Real lobe = strength * power(smaller(along, Real(1)), exponent);
+    sum = select(shines, sum + lobe, sum);
+  };
+  const MaskOf<Real> has_phong = s.phong != Real(0), has_specular = s.specular != Real(0);
+  if (any(has_phong)) {
     const Real along = 2 * (dot(normal, to_view) * cos_light) - dot(to_view, to_light);
     // POV-Ray leaves out what a sharp highlight would be far from its middle.
-    const bool is_far = s.phong_size >= 60 && along <= Real(0.0008);
-    if (along > 0 && !is_far) sum += s.phong * power(smaller(along, Real(1)), s.phong_size);
+    const MaskOf<Real> is_far = s.phong_size >= Real(60) && along <= Real(0.0008);
+    add(has_phong && along > Real(0) && !is_far, s.phong, along, s.phong_size);
   }
-  if (s.specular != 0) {
+  if (any(has_specular)) {
     const Real along = dot(normal, normalized(to_view + to_light));
-    if (along > 0) {
-      sum += s.specular * power(smaller(along, Real(1)), s.specular_exponent);
-    }
+    add(has_specular && along > Real(0), s.specular, along, s.specular_exponent);
   }
-  if (sum == 0) return Rgb<Real>();
-  return sum * pov_metal_tint(s.metallic, color, cos_light);
+  const MaskOf<Real> shines = sum != Real(0);
+  if (!any(shines)) return Rgb<Real>();
+  return select(shines, sum * pov_metal_tint(s.metallic, color, cos_light), Rgb<Real>());
+}
+
+// power(base, exponent), which is not asked where the exponent is 1.
+template <class Real>
+inline Real power_unless_one(Real base, Real exponent) {
+  const MaskOf<Real> bends = exponent != Real(1);
+  return any(bends) ? select(bends, power(base, exponent), base) : base;
 }
 
 // What the matt part adds to light 1 at the cosine > 0: the cosine is part of it.
 template <class Real>
 inline Rgb<Real> pov_diffuse(const PovSurface<Real>& s, Rgb<Real> color, Real cosine) {
-  return (s.diffuse * (s.brilliance == 1 ? cosine : power(cosine, s.brilliance))) * color;
+  return (s.diffuse * power_unless_one(cosine, s.brilliance)) * color;
 }
 
 // The reflectance for a view at `cosine` in [0, 1]; `fresnel` is Fresnel's at that angle, asked for
@@ -98,9 +112,9 @@ inline Rgb<Real> pov_diffuse(const PovSurface<Real>& s, Rgb<Real> color, Real co
 template <class Real>
 inline Rgb<Real> pov_reflectance(const PovSurface<Real>& s, Rgb<Real> color, Real cosine,
                                  Real fresnel) {
-  const Real k = s.fresnel                ? fresnel
-                 : s.reflect_falloff == 1 ? 1 - cosine
-                                          : power(1 - cosine, s.reflect_falloff);
+  const MaskOf<Real> by_fresnel = s.fresnel != Real(0);
+  const Real by_angle = all(by_fresnel) ? Real(0) : power_unless_one(1 - cosine, s.reflect_falloff);
+  const Real k = select(by_fresnel, fresnel, by_angle);
   return (s.reflect_min + k * (s.reflect_max - s.reflect_min)) *
          pov_metal_tint(s.reflect_metallic, color, cosine);
 }
@@ -122,10 +136,14 @@ inline Rgb<Real> pov_passed(const PovSurface<Real>& s, Rgb<Real> color) {
 template <class Real>
 inline Rgb<Real> pov_fade(const PovSurface<Real>& s, Real distance) {
   const Real depth = distance / s.fade_distance;
+  const MaskOf<Real> is_exponential = s.fade_power >= Real(1000);
+  const Real half_life = all(is_exponential) ? Real(0) : 1 + power(depth, s.fade_power);
   const auto channel = [&](Real c) {
-    if (c == 1) return Real(1);
-    if (s.fade_power >= 1000) return exp_of((c - 1) * depth);
-    return c + (1 - c) / (1 + power(depth, s.fade_power));
+    const MaskOf<Real> is_lossless = c == Real(1);
+    Real left = c + (1 - c) / half_life;
+    if (any(is_exponential && !is_lossless))
+      left = select(is_exponential, exp_of((c - 1) * depth), left);
+    return select(is_lossless, Real(1), left);
   };
   return {channel(s.fade_color.r), channel(s.fade_color.g), channel(s.fade_color.b)};
 }

@@ -13,14 +13,14 @@ namespace alhazen::render {
 
 // Whether floor(x) is odd. Exact for every finite x.
 template <class Real>
-inline bool in_odd_cell(Real x) {
+inline MaskOf<Real> in_odd_cell(Real x) {
   const Real cell = round_down(x);
-  return cell - 2 * round_down(cell / 2) != 0;
+  return cell - 2 * round_down(cell / 2) != Real(0);
 }
 
 // Unit cubes, the one at [0, 1)^3 even.
 template <class Real>
-inline bool in_odd_cube(Vec3<Real> p) {
+inline MaskOf<Real> in_odd_cube(Vec3<Real> p) {
   return (in_odd_cell(p.x) != in_odd_cell(p.y)) != in_odd_cell(p.z);
 }
 
@@ -35,12 +35,14 @@ inline Real wrapped(Real x, Real period) {
 // brick, in even ones, among them [0, size.y), those across z (measured in POV-Ray 3.7, see the
 // test).
 template <class Real>
-inline bool in_mortar(Vec3<Real> p, Vec3<Real> size, Real mortar) {
-  if (wrapped(p.y, size.y) >= size.y - mortar) return true;
-  const bool odd = in_odd_cell(p.y / size.y);
-  const Real x = odd ? p.x + size.x / 2 : p.x;
-  const Real z = odd ? p.z : p.z + size.z / 2;
-  return wrapped(x, size.x) >= size.x - mortar || wrapped(z, size.z) >= size.z - mortar;
+inline MaskOf<Real> in_mortar(Vec3<Real> p, Vec3<Real> size, Real mortar) {
+  const auto in_joint = [mortar](Real x, Real period) {
+    return wrapped(x, period) >= period - mortar;
+  };
+  const MaskOf<Real> odd = in_odd_cell(p.y / size.y);
+  const Real x = select(odd, p.x + size.x / 2, p.x);
+  const Real z = select(odd, p.z, p.z + size.z / 2);
+  return in_joint(p.y, size.y) || in_joint(x, size.x) || in_joint(z, size.z);
 }
 
 }  // namespace alhazen::render

@@ -1,22 +1,13 @@
-// render/surface: building the table of textures, and the loop that evaluates one.
+// render/surface: building the table of textures.
 #include "render/surface/texture_table.h"
 
 #include <algorithm>
 
 #include "core/base/overloaded.h"
 #include "core/math/error_free.h"
-#include "core/scene/built_in.h"
 
 namespace alhazen::render {
 namespace {
-
-// No surface reflects more than it receives, whatever a picture of floats holds; a NaN reflects
-// nothing (docs/physics.md).
-template <class Real>
-Rgb<Real> within_unit(Rgb<Real> color) {
-  const auto channel = [](Real x) { return x > Real(0) ? smaller(x, Real(1)) : Real(0); };
-  return {channel(color.r), channel(color.g), channel(color.b)};
-}
 
 // pattern_from_rebased: M (p + offset) + t = M p + (M offset + t), the bracket in two words.
 Affined folded_offset(Affined pattern_from_world, Vec3d offset) {
@@ -44,8 +35,10 @@ template <class Real>
 TextureTable<Real>::TextureTable(std::span<const Texture> textures,
                                  std::span<const ImageView> images, Vec3d world_offset) {
   nodes_.reserve(textures.size());
-  for (const Texture& texture : textures)
+  for (const Texture& texture : textures) {
     nodes_.push_back(make_node(texture, images, world_offset));
+    colors_.push_back(nodes_.back().color);
+  }
 }
 
 template <class Real>
@@ -115,51 +108,6 @@ auto TextureTable<Real>::gradient(Node node, const GradientPattern& pattern) -> 
     stops_.push_back({static_cast<Real>(stop.position), Rgb<Real>(stop.color)});
   node.second = static_cast<TextureId>(stops_.size());
   return node;
-}
-
-template <class Real>
-Vec3<Real> TextureTable<Real>::pattern_point(const Node& node, const TexturePoint<Real>& point) {
-  switch (node.mapping) {
-    case Mapping::object:
-      return node.pattern_from_mapped.point(point.object);
-    case Mapping::world:
-      return node.pattern_from_mapped.point(point.rebased);
-    case Mapping::uv:
-      break;
-  }
-  return node.pattern_from_mapped.point({point.u, point.v, Real(0)});
-}
-
-template <class Real>
-Rgb<Real> TextureTable<Real>::color(TextureId id, const TexturePoint<Real>& point) const {
-  const Node* node = &nodes_[id];
-  while (node->kind != PatternKind::solid) {
-    const Vec3<Real> p = pattern_point(*node, point);
-    bool second = false;
-    switch (node->kind) {
-      case PatternKind::checker:
-        second = in_odd_cube(p);
-        break;
-      case PatternKind::stripes:
-        second = in_odd_cell(p.x);
-        break;
-      case PatternKind::brick:
-        second = in_mortar(p, node->size, node->mortar);
-        break;
-      case PatternKind::gradient:
-        return gradient_color<Real>({stops_.data() + node->first, stops_.data() + node->second},
-                                    p.x);
-      case PatternKind::image:
-        if constexpr (is_built_in(Effect::image_textures)) {
-          return within_unit(image_color(node->image, p.x, p.y, node->wrap, node->filter));
-        }
-        break;
-      case PatternKind::solid:
-        break;
-    }
-    node = &nodes_[second ? node->second : node->first];
-  }
-  return node->color;
 }
 
 template <class Real>
