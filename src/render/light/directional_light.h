@@ -15,7 +15,10 @@ struct DirectionalLightKernel {
   explicit DirectionalLightKernel(const DirectionalLight& light)
       : to_light(-light.direction), irradiance(light.irradiance) {}
 
-  LightSample<Real> sample() const { return {to_light, infinity<Real>(), irradiance}; }
+  template <class L = Real>
+  LightSample<L> sample() const {
+    return {Vec3<L>(to_light), infinity<L>(), Rgb<L>(irradiance)};
+  }
 };
 
 }  // namespace alhazen::render

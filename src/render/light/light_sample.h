@@ -16,6 +16,14 @@ struct LightSample {
   Rgb<Real> weight{Real(0), Real(0), Real(0)};  // black: the point is not lit
 };
 
+// The sample where the point is lit, and elsewhere nothing.
+template <class Real>
+inline LightSample<Real> where_lit(MaskOf<Real> lit, const LightSample<Real>& sample) {
+  if (all(lit)) return sample;
+  return {select(lit, sample.direction, Vec3<Real>()), select(lit, sample.distance, Real(0)),
+          select(lit, sample.weight, Rgb<Real>())};
+}
+
 // Two directions that make an orthonormal frame with the unit vector w, without a branch on its
 // size (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017).
 template <class Real>
@@ -24,7 +32,7 @@ struct Tangents {
 };
 template <class Real>
 inline Tangents<Real> tangents_of(Vec3<Real> w) {
-  const Real sign = ScalarTraits<Real>::sign_bit(w.z) ? Real(-1) : Real(1);
+  const Real sign = select(ScalarTraits<Real>::sign_bit(w.z), Real(-1), Real(1));
   const Real scale = -1 / (sign + w.z);
   const Real shared = w.x * w.y * scale;
   return {{1 + sign * w.x * w.x * scale, sign * shared, -sign * w.x},

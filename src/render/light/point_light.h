@@ -19,13 +19,14 @@ struct PointLightKernel {
         intensity(light.intensity),
         falloff(light.falloff) {}
 
-  LightSample<Real> sample(Vec3<Real> point) const {
-    const Vec3<Real> to_light = position - point;
-    const Real squared = length_squared(to_light);
-    if (!(squared > 0)) return {};
-    const Real distance = square_root(squared);
-    return {to_light / distance, distance,
-            falloff == Falloff::none ? intensity : intensity / squared};
+  template <class L = Real>
+  LightSample<L> sample(Vec3<L> point) const {
+    const Vec3<L> to_light = Vec3<L>(position) - point;
+    const L squared = length_squared(to_light);
+    const L distance = square_root(squared);
+    const Rgb<L> weight(intensity);
+    return where_lit<L>(squared > L(0), {to_light / distance, distance,
+                                         falloff == Falloff::none ? weight : weight / squared});
   }
 };
 

@@ -22,16 +22,18 @@ struct SpotLightKernel {
         cos_inner(static_cast<Real>(cos_deg(light.inner_angle_deg))),
         cos_outer(static_cast<Real>(cos_deg(light.outer_angle_deg))) {}
 
-  Real share(Real cos_axis) const {
-    if (cos_axis >= cos_inner) return 1;
-    if (cos_axis <= cos_outer) return 0;
-    const Real x = (cos_axis - cos_outer) / (cos_inner - cos_outer);
-    return (3 - 2 * x) * x * x;
+  template <class L>
+  L share(L cos_axis) const {
+    const L inner(cos_inner), outer(cos_outer);
+    const L x = (cos_axis - outer) / (inner - outer);
+    const L inside = select(cos_axis <= outer, L(0), (3 - 2 * x) * x * x);
+    return select(cos_axis >= inner, L(1), inside);
   }
 
-  LightSample<Real> sample(Vec3<Real> point) const {
-    LightSample<Real> result = source.sample(point);
-    result.weight = share(-dot(result.direction, axis)) * result.weight;
+  template <class L = Real>
+  LightSample<L> sample(Vec3<L> point) const {
+    LightSample<L> result = source.sample(point);
+    result.weight = share(-dot(result.direction, Vec3<L>(axis))) * result.weight;
     return result;
   }
 };
