@@ -22,7 +22,9 @@ class CameraKernel {
     return perspective != nullptr && perspective->has_lens();
   }
   // lens_u, lens_v in [0, 1).
-  CameraRay<Real> ray(const FilmPoint<Real>& film, Real lens_u, Real lens_v) const {
+  template <class L = Real>
+  CameraRay<L> ray(const FilmPoint<L>& film, std::type_identity_t<L> lens_u,
+                   std::type_identity_t<L> lens_v) const {
     if (const auto* perspective = std::get_if<0>(&kernel_))
       return perspective->ray(film, lens_u, lens_v);
     return std::get<1>(kernel_).ray(film);

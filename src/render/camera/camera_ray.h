@@ -16,7 +16,7 @@ struct CameraRay {
 // is lost in wide pictures and mirrored pixels get exactly opposite places.
 template <class Real>
 struct FilmPoint {
-  int column = 0, row = 0;          // rows from the top
+  IntOf<Real> column = 0, row = 0;  // rows from the top
   Real offset_x = 0, offset_y = 0;  // from the pixel's centre, in pixels, y downwards
 };
 

@@ -15,10 +15,11 @@ struct DiscPoint {
 template <class Real>
 inline DiscPoint<Real> disc_from_square(Real u, Real v) {
   const Real a = 2 * u - 1, b = 2 * v - 1;
-  if (a == 0 && b == 0) return {Real(0), Real(0)};
-  const bool wide = absolute(a) > absolute(b);
-  const Real radius = wide ? a : b;
-  const Real turns = wide ? b / a / 8 : Real(0.25) - a / b / 8;
+  const MaskOf<Real> is_center = a == Real(0) && b == Real(0);
+  const MaskOf<Real> wide = absolute(a) > absolute(b);
+  const Real radius = select(wide, a, b);
+  const Real eighths = select(wide, b, a) / select(is_center, Real(1), radius);
+  const Real turns = select(wide, eighths / 8, Real(0.25) - eighths / 8);
   const SinCos<Real> angle = sin_cos_of_turns(turns);
   return {radius * angle.cos, radius * angle.sin};
 }

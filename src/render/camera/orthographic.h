@@ -18,12 +18,13 @@ struct OrthographicKernel {
   OrthographicKernel(const CameraFrame& frame, const OrthographicCamera& camera, int width,
                      int height);
 
-  CameraRay<Real> ray(const FilmPoint<Real>& film) const {
-    const Real from_left = static_cast<Real>(film.column) + Real(0.5) - half_width;
-    const Real from_top = static_cast<Real>(film.row) + Real(0.5) - half_height;
-    const Real x = (from_left + film.offset_x) * pixel_width;
-    const Real y = -((from_top + film.offset_y) * pixel_width);
-    return {multiply_add(x, right, y * up), forward};
+  template <class L = Real>
+  CameraRay<L> ray(const FilmPoint<L>& film) const {
+    const L from_left = static_cast<L>(film.column) + Real(0.5) - half_width;
+    const L from_top = static_cast<L>(film.row) + Real(0.5) - half_height;
+    const L x = (from_left + film.offset_x) * pixel_width;
+    const L y = -((from_top + film.offset_y) * pixel_width);
+    return {multiply_add(x, Vec3<L>(right), y * Vec3<L>(up)), Vec3<L>(forward)};
   }
 };
 

@@ -1,6 +1,8 @@
 // render/camera: the pinhole and thin-lens camera.
 #pragma once
 
+#include <type_traits>
+
 #include "core/scene/camera.h"
 #include "render/camera/camera_ray.h"
 #include "render/camera/disc.h"
@@ -26,16 +28,19 @@ struct PerspectiveKernel {
   // lens_u, lens_v in [0, 1) choose the point of the lens; a pinhole does not look at them. With a
   // lens all rays of one film point meet in the plane at focus_distance, where the picture is
   // sharp.
-  CameraRay<Real> ray(const FilmPoint<Real>& film, Real lens_u, Real lens_v) const {
-    const Real from_left = static_cast<Real>(film.column) + Real(0.5) - half_width;
-    const Real from_top = static_cast<Real>(film.row) + Real(0.5) - half_height;
-    const Real x = (from_left + film.offset_x) * pixel_width;
-    const Real y = -((from_top + film.offset_y) * pixel_width);
-    const Vec3<Real> in_plane = multiply_add(x, right, multiply_add(y, up, forward));
-    if (!has_lens()) return {Vec3<Real>(), normalized(in_plane)};
-    const DiscPoint<Real> disc = disc_from_square(lens_u, lens_v);
-    const Vec3<Real> on_lens = aperture_radius * multiply_add(disc.x, right, disc.y * up);
-    return {on_lens, normalized(multiply_add(focus_distance, in_plane, -on_lens))};
+  template <class L = Real>
+  CameraRay<L> ray(const FilmPoint<L>& film, std::type_identity_t<L> lens_u,
+                   std::type_identity_t<L> lens_v) const {
+    const Vec3<L> to_right(right), to_top(up);
+    const L from_left = static_cast<L>(film.column) + Real(0.5) - half_width;
+    const L from_top = static_cast<L>(film.row) + Real(0.5) - half_height;
+    const L x = (from_left + film.offset_x) * pixel_width;
+    const L y = -((from_top + film.offset_y) * pixel_width);
+    const Vec3<L> in_plane = multiply_add(x, to_right, multiply_add(y, to_top, Vec3<L>(forward)));
+    if (!has_lens()) return {Vec3<L>(), normalized(in_plane)};
+    const DiscPoint<L> disc = disc_from_square(lens_u, lens_v);
+    const Vec3<L> on_lens = L(aperture_radius) * multiply_add(disc.x, to_right, disc.y * to_top);
+    return {on_lens, normalized(multiply_add(L(focus_distance), in_plane, -on_lens))};
   }
 };
 
