@@ -29,18 +29,20 @@ class BackgroundRadiance {
 
   // The radiance from direction `d`, unit length to rounding, world frame, of a colour or a
   // gradient.
-  Rgb<Real> plain(Vec3<Real> d) const {
-    return stops_.empty() ? color_ : gradient_color<Real>(stops_, d.y);
+  template <class L = Real>
+  Rgb<L> plain(Vec3<L> d) const {
+    return stops_.empty() ? Rgb<L>(color_) : gradient_color<L>(stops_, d.y);
   }
 
   // The same of a picture of the surroundings. It wraps around in azimuth and ends at the poles.
-  Rgb<Real> picture(Vec3<Real> d) const {
-    const Real azimuth = atan2_turns(d.x, d.z) - turns_;
-    const Real u = folded(azimuth + Real(0.5), ImageWrap::repeat);
-    const Real v = Real(2) * acos_turns(larger(Real(-1), smaller(Real(1), d.y)));
-    const PixelPair<Real> columns = pixel_pair(u, image_.width, ImageWrap::repeat);
-    const PixelPair<Real> rows = pixel_pair(v, image_.height, ImageWrap::clamp);
-    return intensity_ * bilinear(image_, columns, rows);
+  template <class L = Real>
+  Rgb<L> picture(Vec3<L> d) const {
+    const L azimuth = atan2_turns(d.x, d.z) - turns_;
+    const L u = folded(azimuth + Real(0.5), ImageWrap::repeat);
+    const L v = 2 * acos_turns(larger(L(-1), smaller(L(1), d.y)));
+    const PixelPair<L> columns = pixel_pair(u, image_.width, ImageWrap::repeat);
+    const PixelPair<L> rows = pixel_pair(v, image_.height, ImageWrap::clamp);
+    return L(intensity_) * bilinear(image_, columns, rows);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/math/elementary.h"
+#include "unit/render/lanes_agree.h"
 
 namespace alhazen::render {
 namespace {
@@ -42,6 +43,31 @@ TEST(Background, PictureLiesAsSceneCameraSays) {
   EXPECT_NEAR(at(0, 45), 2 * 1.5, 1e-12);     // between two columns
   EXPECT_NEAR(at(180, 45), 2 * 1.5, 1e-12);   // across the seam: 3 and 0
   EXPECT_NEAR(at(45, 45, 90), 2 * 1, 1e-12);  // turned by a column
+}
+
+// Every kind of background, on lanes as for single directions.
+TEST(Background, LanesSeeWhatSingleRaysSee) {
+  ImagePixels image{5, 3, {}};
+  for (int i = 0; i < 45; ++i)
+    image.rgb.push_back(static_cast<float>(i));
+  const std::vector<Background> backgrounds{
+      {SolidBackground{{1, 2, 3}}, {}},
+      {GradientBackground{{{-1, Rgbd(0)}, {0, Rgbd(1)}, {0, Rgbd(2)}, {1, Rgbd(3)}}}, {}},
+      {EnvironmentBackground{0, 77, 0.3}, {}}};
+  for (const Background& background : backgrounds) {
+    expect_all_lanes_agree<3>(
+        [](int i, int j) {
+          return drawn_from({-1, 0, -0.0, 1e-9, 1}, i, j);
+        },
+        [&](auto& out, const auto& in) {
+          using Real = std::decay_t<decltype(in[0])>;
+          const BackgroundRadiance<ScalarOf<Real>> radiance(background, {image});
+          const Vec3<Real> direction(in[0], in[1], in[2]);
+          const bool is_picture = background.source.index() == 2;
+          put(out, is_picture ? radiance.picture(direction) : radiance.plain(direction));
+        },
+        1000);
+  }
 }
 
 }  // namespace
