@@ -86,6 +86,9 @@ template <std::size_t count, class Argument, class Kernel>
 void expect_all_lanes_agree(const Argument& argument, const Kernel& kernel, int trials = 4000) {
   expect_lanes_agree<Lanes<double, 4>, count>(trials, argument, kernel);
   expect_lanes_agree<Lanes<float, 8>, count>(trials, argument, kernel);
+#if ALHAZEN_HAS_QUAD
+  expect_lanes_agree<Lanes<Quad, 1>, count>(trials / 16, argument, kernel);
+#endif
 }
 
 }  // namespace alhazen::render
