@@ -7,6 +7,8 @@
 // unit roundoff of Real.
 #pragma once
 
+#include <concepts>
+
 #include "core/math/scalar.h"
 
 namespace alhazen {
@@ -16,6 +18,13 @@ template <class Real>
 struct DoubleWord {
   Real hi{}, lo{};
 };
+
+// Word by word, as of numbers; of one pair scalar.h selects.
+template <class Real>
+requires(!std::same_as<MaskOf<Real>, bool>) constexpr DoubleWord<Real> select(
+    MaskOf<Real> condition, DoubleWord<Real> yes, DoubleWord<Real> no) {
+  return {select(condition, yes.hi, no.hi), select(condition, yes.lo, no.lo)};
+}
 
 // a + b exactly, unless it overflows.
 template <class Real>

@@ -8,17 +8,18 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "core/base/hash.h"
 #include "core/math/scalar.h"
 
 namespace alhazen {
 
-struct Sample2d {
-  std::uint32_t x, y;
-};
+// `Word` below is std::uint32_t or lanes of it (render/simd/lanes.h).
 
-constexpr std::uint32_t reversed_bits(std::uint32_t v) {
+// The highest bit becomes the lowest.
+template <class Word>
+constexpr Word reversed_bits(Word v) {
   v = (v << 16) | (v >> 16);
   v = ((v & 0x00ff00ffu) << 8) | ((v & 0xff00ff00u) >> 8);
   v = ((v & 0x0f0f0f0fu) << 4) | ((v & 0xf0f0f0f0u) >> 4);
@@ -28,7 +29,8 @@ constexpr std::uint32_t reversed_bits(std::uint32_t v) {
 
 // A bijection in which each bit is flipped by a hash of the lower bits and the seed alone: nested
 // uniform scrambling, as Owen's, of the binary tree whose root is the lowest bit.
-constexpr std::uint32_t scrambled_upward(std::uint32_t v, std::uint32_t seed) {
+template <class Word>
+constexpr Word scrambled_upward(Word v, Word seed) {
   v ^= v * 0x3d20adeau;
   v += seed;
   v *= (seed >> 16) | 1u;
@@ -38,30 +40,52 @@ constexpr std::uint32_t scrambled_upward(std::uint32_t v, std::uint32_t seed) {
 }
 
 // Owen's scrambling of the digits of v * 2^-32, from the most significant down.
-constexpr std::uint32_t owen_scrambled(std::uint32_t v, std::uint32_t seed) {
+template <class Word>
+constexpr Word owen_scrambled(Word v, std::type_identity_t<Word> seed) {
   return reversed_bits(scrambled_upward(reversed_bits(v), seed));
 }
 
-// The second dimension of Sobol's sequence, whose matrix is Pascal's triangle modulo two: the
-// direction numbers are v_0 = 1/2, v_k = v_{k-1} ^ (v_{k-1} >> 1). The first is reversed_bits.
-constexpr std::uint32_t sobol_second(std::uint32_t index) {
-  std::uint32_t result = 0;
-  for (std::uint32_t direction = 0x80000000u; index != 0; index >>= 1) {
-    if ((index & 1u) != 0) result ^= direction;
-    direction ^= direction >> 1;
-  }
-  return result;
+// The second dimension of Sobol's sequence from its lowest digit up; the first is the index itself.
+// Its direction numbers are v_0 = 1/2, v_k = v_{k-1} ^ (v_{k-1} >> 1), Pascal's triangle modulo
+// two: the digits are the coefficients of p(1 + x), where those of p are the bits of the index.
+// With p = h x^n + l and n a power of two, p(1 + x) = h(1 + x) (1 + x^n) + l(1 + x), so the upper
+// half of each block of 2n bits is added to the lower.
+template <class Word>
+constexpr Word sobol_second_upward(Word index) {
+  index ^= (index >> 16) & 0x0000ffffu;
+  index ^= (index >> 8) & 0x00ff00ffu;
+  index ^= (index >> 4) & 0x0f0f0f0fu;
+  index ^= (index >> 2) & 0x33333333u;
+  return index ^ ((index >> 1) & 0x55555555u);
 }
 
+template <class Word>
+struct Sample2dOf {
+  Word x, y;
+};
+using Sample2d = Sample2dOf<std::uint32_t>;
+
 // Sample `index` of the sequence named by `seed`. Seeds are to be hashes (mix_64) of what the
-// sequence is for: pixel, dimension, ray.
-constexpr Sample2d sample_2d(std::uint64_t seed, std::uint32_t index) {
-  const std::uint64_t first = mix_64(seed, 1), second = mix_64(seed, 2);
+// sequence is for: pixel, dimension, ray. `Seed` is std::uint64_t, `Word` std::uint32_t, or both
+// are lanes.
+template <class Seed, class Word>
+constexpr Sample2dOf<Word> sample_2d_of(Seed seed, Word index) {
+  const Seed first = mixed_word(seed ^ mixed_word(Seed(1 + 0x9e3779b97f4a7c15ULL))),
+             second = mixed_word(seed ^ mixed_word(Seed(2 + 0x9e3779b97f4a7c15ULL)));
   // Shuffling the index by an Owen scramble keeps prefixes of length 2^m what they are: a
   // scrambled prefix of the same length, at another place of the sequence.
-  const std::uint32_t shuffled = owen_scrambled(index, static_cast<std::uint32_t>(first));
-  return {owen_scrambled(reversed_bits(shuffled), static_cast<std::uint32_t>(first >> 32)),
-          owen_scrambled(sobol_second(shuffled), static_cast<std::uint32_t>(second))};
+  const Word shuffled = owen_scrambled(index, static_cast<Word>(first));
+  // Both dimensions are made from their lowest digit up, as the scrambling wants them.
+  return {
+      reversed_bits(scrambled_upward(shuffled, static_cast<Word>(first >> 32))),
+      reversed_bits(scrambled_upward(sobol_second_upward(shuffled), static_cast<Word>(second)))};
+}
+constexpr Sample2d sample_2d(std::uint64_t seed, std::uint32_t index) {
+  return sample_2d_of(seed, index);
+}
+template <class Seed, class Word>
+requires(!std::is_arithmetic_v<Seed>) constexpr Sample2dOf<Word> sample_2d(Seed seed, Word index) {
+  return sample_2d_of(seed, index);
 }
 
 // The first dimension alone: stratified in every prefix of length 2^m.
@@ -70,8 +94,8 @@ constexpr std::uint32_t sample_1d(std::uint64_t seed, std::uint32_t index) {
 }
 
 // A number in [0, 1) with 24 bits, so that float, double and Quad draw the same one.
-template <class Real>
-constexpr Real unit_real(std::uint32_t bits) {
+template <class Real, class Word>
+constexpr Real unit_real(Word bits) {
   return static_cast<Real>(bits >> 8) * static_cast<Real>(0x1p-24);
 }
 

@@ -28,7 +28,10 @@ struct LaneStore<T, W, Form::vector> {
   static Value broadcast(T x) { return broadcast_vector<T, W>(x); }
   static Value iota() { return iota_vector<T, W>(); }
   static T get(Value v, int i) { return v[i]; }
-  static void put(Value& v, int i, T x) { v[i] = x; }
+  static void put(Value& v, int i, T x) {
+    // Not v[i] = x: g++ 12 then warns that lanes which are all put one by one are uninitialised.
+    __builtin_memcpy(reinterpret_cast<char*>(&v) + static_cast<int>(sizeof(T)) * i, &x, sizeof(T));
+  }
 
   static Value load(const T* from) {
     Value result;

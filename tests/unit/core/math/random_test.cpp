@@ -18,6 +18,43 @@ TEST(Random, ScramblesAreBijections) {
   EXPECT_EQ(seen.size(), 4096u);
 }
 
+// The digits of Sobol's second dimension by its direction numbers, one for each bit of the index.
+std::uint32_t sobol_second_by_directions(std::uint32_t index) {
+  std::uint32_t result = 0;
+  for (std::uint32_t direction = 0x80000000u; index != 0; index >>= 1) {
+    if ((index & 1u) != 0) result ^= direction;
+    direction ^= direction >> 1;
+  }
+  return result;
+}
+
+// Both are linear over bits, so agreeing for each single bit is agreeing for all; sums of bits
+// check that they are.
+TEST(Random, SobolsSecondDimensionHasItsDirections) {
+  for (int bit = 0; bit < 32; ++bit) {
+    const std::uint32_t index = 1u << bit;
+    EXPECT_EQ(reversed_bits(sobol_second_upward(index)), sobol_second_by_directions(index)) << bit;
+  }
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const auto index = static_cast<std::uint32_t>(mix_64(i));
+    ASSERT_EQ(reversed_bits(sobol_second_upward(index)), sobol_second_by_directions(index));
+  }
+}
+
+// The samples that pictures have been made of, which no faster way of drawing them may change.
+TEST(Random, SamplesAreThoseOfTheDefinition) {
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const std::uint64_t seed = mix_64(9, i), first = mix_64(seed, 1), second = mix_64(seed, 2);
+    const auto index = static_cast<std::uint32_t>(i % 2 == 0 ? i : mix_64(i));
+    const std::uint32_t shuffled = owen_scrambled(index, static_cast<std::uint32_t>(first));
+    const Sample2d drawn = sample_2d(seed, index);
+    ASSERT_EQ(drawn.x,
+              owen_scrambled(reversed_bits(shuffled), static_cast<std::uint32_t>(first >> 32)));
+    ASSERT_EQ(drawn.y, owen_scrambled(sobol_second_by_directions(shuffled),
+                                      static_cast<std::uint32_t>(second)));
+  }
+}
+
 // Every prefix of 2^m samples puts exactly one into each of the m + 1 tilings by 2^m equal boxes.
 TEST(Random, PrefixesFillElementaryIntervals) {
   for (std::uint64_t seed : {0ULL, 1ULL, 0xdeadbeefULL, ~0ULL}) {
