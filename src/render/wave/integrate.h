@@ -4,33 +4,27 @@
 #pragma once
 
 #include <atomic>
-#include <ctime>
 #include <utility>
 #include <vector>
 
 #include "render/wave/stage_table.h"
+#include "render/wave/stopwatch.h"
+#include "render/wave/waiting_rays.h"
 
 namespace alhazen::render {
-
-inline double thread_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 template <class Real>
 class Integrator {
  public:
-  // More rays than `max_generation` in one generation are cut into parts, each followed to its end
-  // before the next, so that the queues stay within a few times as many entries. Cuts fall between
-  // camera samples, which changes no sum. Only when one sample alone has more is it cut itself, at
-  // a place that follows from its own rays and from nothing else.
-  Integrator(const World<Real>& world, const StagePlan& plan, const std::atomic<bool>* cancel)
+  Integrator(const World<Real>& world, const StagePlan& plan, const std::atomic<bool>* cancel,
+             std::size_t generation_rays)
       : wave_(world),
         start_(stage_functions<Real>(plan.start)),
         generation_(stage_functions<Real>(plan.generation)),
+        colored_(plan.runs(StageId::plain_colors) || plan.runs(StageId::textured_colors)),
         cancel_(cancel),
-        max_generation_(kMaxLightPaths / world.light_samples()) {}
+        waiting_(generation_rays,
+                 std::max<std::size_t>(1, kMaxLightPaths / world.light_samples())) {}
 
   Wave<Real>& wave() { return wave_; }
   const Wave<Real>& wave() const { return wave_; }
@@ -39,20 +33,19 @@ class Integrator {
   bool run_batch() {
     wave_.media.clear();
     wave_.rays.clear();
-    first_generation_ = true;
+    waiting_.clear();
+    stopwatch_.restart();
     for (const StageCall<Real>& stage : start_)
       run(stage, wave_.slots.size());
     wave_.counters.camera_rays += wave_.rays.size();
-    std::vector<RayQueue<Real>> waiting;
     for (;;) {
       while (!wave_.rays.empty()) {
-        if (cancel_ != nullptr && cancel_->load()) return false;
-        if (wave_.rays.size() > max_generation_) set_aside(waiting);
+        if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return false;
+        waiting_.set_aside(wave_.rays, wave_.slots.size());
         run_generation();
       }
-      if (waiting.empty()) return true;
-      wave_.rays = std::move(waiting.back());
-      waiting.pop_back();
+      if (waiting_.empty()) return true;
+      waiting_.resume(wave_.rays);
     }
   }
 
@@ -62,8 +55,7 @@ class Integrator {
     if (!wave_.world.has_shapes()) wave_.escape_all();
     for (const StageCall<Real>& stage : generation_)
       run(stage, items_of(stage.id));
-    if (first_generation_) wave_.keep_first_surfaces();
-    first_generation_ = false;
+    if (!wave_.slots.first_shape.empty()) wave_.keep_first_surfaces(colored_);
     std::swap(wave_.rays, wave_.next);
     wave_.next.clear();
   }
@@ -71,9 +63,10 @@ class Integrator {
   // How much work a stage has before it, for the figures.
   std::size_t items_of(StageId id) const {
     if (id >= StageId::ambient_on_matte && id <= StageId::rectangle_on_pov) {
-      const std::size_t lists[] = {wave_.matte.size(), wave_.glossy.size(), wave_.coat.size(),
-                                   wave_.pov.size()};
-      return lists[(static_cast<int>(id) - static_cast<int>(StageId::ambient_on_matte)) % 4];
+      constexpr SurfaceKind kLit[] = {SurfaceKind::matte, SurfaceKind::glossy, SurfaceKind::coat,
+                                      SurfaceKind::pov};
+      const int place = static_cast<int>(id) - static_cast<int>(StageId::ambient_on_matte);
+      return wave_.of(kLit[place % 4]).size();
     }
     switch (id) {
       case StageId::closest_hits:
@@ -93,13 +86,13 @@ class Integrator {
       case StageId::tinted_shadows:
         return wave_.light_paths.size();
       case StageId::mirror:
-        return wave_.mirror.size();
+        return wave_.of(SurfaceKind::mirror).size();
       case StageId::metal:
-        return wave_.metal.size();
+        return wave_.of(SurfaceKind::metal).size();
       case StageId::coat:
-        return wave_.coat.size();
+        return wave_.of(SurfaceKind::coat).size();
       case StageId::glass:
-        return wave_.glass.size();
+        return wave_.of(SurfaceKind::glass).size();
       case StageId::pov_glow:
         return wave_.pov_glowing.size();
       case StageId::pov_reflection:
@@ -111,20 +104,11 @@ class Integrator {
     }
   }
 
+  // Stages with nothing to do are not called.
   void run(const StageCall<Real>& stage, std::size_t items) {
-    const double before = thread_cpu_seconds();
+    if (items == 0) return;
     stage.function(wave_);
-    wave_.counters.add(stage.id, items, thread_cpu_seconds() - before);
-  }
-
-  // Moves rays to `waiting` until at most max_generation_ are left: those of the later samples, or,
-  // of a single sample, those beyond the first max_generation_.
-  void set_aside(std::vector<RayQueue<Real>>& waiting) {
-    wave_.rays.group_by_sample();
-    while (wave_.rays.size() > max_generation_) {
-      const std::size_t cut = wave_.rays.cut_near(wave_.rays.size() / 2);
-      waiting.push_back(wave_.rays.split_off(cut > 0 ? cut : max_generation_));
-    }
+    wave_.counters.add(stage.id, items, stopwatch_.lap());
   }
 
   // Entries that the queue of light paths may come to hold, 150 bytes or so each.
@@ -132,9 +116,10 @@ class Integrator {
 
   Wave<Real> wave_;
   std::vector<StageCall<Real>> start_, generation_;
+  bool colored_;  // the plan finds colours
   const std::atomic<bool>* cancel_;
-  std::size_t max_generation_;
-  bool first_generation_ = true;
+  WaitingRays<Real> waiting_;
+  Stopwatch stopwatch_;
 };
 
 }  // namespace alhazen::render

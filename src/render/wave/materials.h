@@ -10,33 +10,42 @@
 #include "render/surface/coat.h"
 #include "render/surface/highlight.h"
 #include "render/surface/pov_finish.h"
+#include "render/surface/texture_table.h"
 
 namespace alhazen::render {
 
 // Which stages a hit goes to. `matte` is diffuse without a highlight, `glossy` diffuse with one.
 enum class SurfaceKind : std::uint8_t { black, matte, glossy, coat, mirror, metal, glass, pov };
+inline constexpr std::size_t kSurfaceKinds = 8;
 
-template <class Real>
-struct MaterialRecord {
+// All that sorting hits by what their surfaces do asks of a material.
+struct MaterialRoute {
   SurfaceKind kind = SurfaceKind::black;
   bool emits = false;
   bool one_sided = false;  // emits where its surface is met from outside
+  bool pov_glows = false, pov_reflects = false;
+  bool pov_clear = false;  // lets light through
+  bool more = false;       // any of these
+};
+
+template <class Real>
+struct MaterialRecord : MaterialRoute {
   Rgb<Real> emission;
   TextureId color = kNoId;  // albedo or reflectance
+  bool textured = false;    // it is not the same everywhere
+  Rgb<Real> solid_color;    // if it is
   HighlightLobe<Real> lobe;
   CoatLayer<Real> coat;
   Rgb<Real> conductor_n, conductor_k;
   Real ior = 1;          // of the inside of glass and of a pov_finish
   Rgb<Real> absorption;  // of glass, per length
   PovSurface<Real> pov;
-  bool pov_glows = false, pov_reflects = false;
-  bool pov_clear = false;  // lets light through
 };
 
 template <class Real>
 class MaterialTable {
  public:
-  explicit MaterialTable(const Scene& scene) {
+  MaterialTable(const Scene& scene, const TextureTable<Real>& textures) {
     const Surroundings around = surroundings_of(scene);
     for (const Material& material : scene.materials) {
       MaterialRecord<Real> record;
@@ -44,6 +53,13 @@ class MaterialTable {
       record.emits = !is_black(material.emission);
       record.one_sided = material.one_sided_emission;
       std::visit([&](const auto& m) { fill(m, around, record); }, material.scattering);
+      record.more = record.emits || record.pov_glows || record.pov_reflects || record.pov_clear;
+      if (record.color != kNoId) {
+        const std::optional<Rgb<Real>> everywhere = textures.solid_color(record.color);
+        record.textured = !everywhere;
+        record.solid_color = everywhere.value_or(Rgb<Real>{});
+      }
+      routes_.push_back(record);
       records_.push_back(record);
       const auto* glass = std::get_if<Glass>(&material.scattering);
       priorities_.push_back(glass ? glass->priority : 0);
@@ -51,6 +67,7 @@ class MaterialTable {
   }
 
   const MaterialRecord<Real>& operator[](MaterialId id) const { return records_[id]; }
+  const MaterialRoute& route(MaterialId id) const { return routes_[id]; }
   const std::vector<int>& priorities() const { return priorities_; }
 
  private:
@@ -94,6 +111,7 @@ class MaterialTable {
   static void fill(const Black&, const Surroundings&, MaterialRecord<Real>&) {}
 
   std::vector<MaterialRecord<Real>> records_;
+  std::vector<MaterialRoute> routes_;  // a few bytes a material: they stay in the cache
   std::vector<int> priorities_;
 };
 

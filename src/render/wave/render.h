@@ -47,6 +47,13 @@ struct AovRequest {
   }
 };
 
+// How work is cut. It changes no bit of any picture; tests use it to show that. 0: as measured
+// best.
+struct WorkLimits {
+  int tile_size = 0;                // pixels on each side
+  std::size_t generation_rays = 0;  // followed at once
+};
+
 struct RenderOptions {
   Precision precision = Precision::float64;
   PixelRect crop;          // empty: the whole frame
@@ -54,6 +61,7 @@ struct RenderOptions {
   std::optional<Isa> isa;  // empty: the widest that runs here; no bit depends on it
   AovRequest aovs;
   const std::atomic<bool>* cancel = nullptr;  // looked at between batches
+  WorkLimits limits;
 };
 
 // The share of a pixel's samples that saw an object or a material, largest first.
@@ -81,7 +89,7 @@ struct Picture {
 struct StageCost {
   StageId stage;
   std::uint64_t rays = 0;  // items that went through it
-  double cpu_seconds = 0;
+  double cpu_seconds = 0;  // its share, by elapsed time, of the workers' CPU time
 };
 
 struct RenderStatistics {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -23,15 +24,40 @@ struct RenderJob {
   const ProgressListener& progress;
 };
 
+inline double thread_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Cuts the window into tiles of `size` x `size` pixels, those of its last quarter into smaller ones
+// so that the workers end together.
 inline std::vector<PixelRect> tiles_of(PixelRect window, int size) {
+  const int small = std::max(1, size / 2);
   std::vector<PixelRect> tiles;
-  for (int y = 0; y < window.height; y += size) {
-    for (int x = 0; x < window.width; x += size) {
-      tiles.push_back({window.x + x, window.y + y, std::min(size, window.width - x),
-                       std::min(size, window.height - y)});
+  int y = 0;
+  while (y < window.height) {
+    const int side = 4 * y < 3 * window.height ? size : small;
+    for (int x = 0; x < window.width; x += side) {
+      tiles.push_back({window.x + x, window.y + y, std::min(side, window.width - x),
+                       std::min(side, window.height - y)});
     }
+    y += side;
   }
   return tiles;
+}
+
+// Large tiles give full queues; there are to be enough for every worker to be busy all the time.
+inline int tile_size(PixelRect window, std::size_t workers) {
+  constexpr int kLargest = 32, kSmallest = 8;
+  constexpr std::int64_t kTilesOfAWorker = 16;
+  const std::int64_t pixels = std::int64_t{window.width} * window.height;
+  int size = kLargest;
+  while (size > kSmallest &&
+         pixels < kTilesOfAWorker * static_cast<std::int64_t>(workers) * size * size) {
+    size /= 2;
+  }
+  return size;
 }
 
 // What the workers share.
@@ -44,7 +70,9 @@ struct TileQueue {
   std::exception_ptr failure;  // the first of a worker
 };
 
-inline void add_figures(const WaveCounters& from, const StagePlan& plan, RenderStatistics& to) {
+// `busy`: the share of the worker's elapsed time that it had a core to itself.
+inline void add_figures(const WaveCounters& from, const StagePlan& plan, double busy,
+                        RenderStatistics& to) {
   to.camera_rays += from.camera_rays;
   to.reflection_rays += from.reflection_rays;
   to.refraction_rays += from.refraction_rays;
@@ -55,7 +83,7 @@ inline void add_figures(const WaveCounters& from, const StagePlan& plan, RenderS
   plan.for_each([&](const PlannedStage& stage) {
     if (to.stages.size() <= k) to.stages.push_back({stage.id, 0, 0});
     to.stages[k].rays += from.stage_items[static_cast<std::size_t>(stage.id)];
-    to.stages[k].cpu_seconds += from.stage_seconds[static_cast<std::size_t>(stage.id)];
+    to.stages[k].cpu_seconds += busy * from.stage_seconds[static_cast<std::size_t>(stage.id)];
     ++k;
   });
 }
@@ -63,7 +91,8 @@ inline void add_figures(const WaveCounters& from, const StagePlan& plan, RenderS
 template <class Real>
 void work(const TileJob<Real>& job, const RenderJob& whole, TileQueue& queue, Picture& picture,
           RenderStatistics& statistics) {
-  const double started = thread_cpu_seconds();
+  const double cpu_before = thread_cpu_seconds();
+  Stopwatch stopwatch;
   TileRenderer<Real> renderer(job);
   for (;;) {
     const std::size_t index = queue.next.fetch_add(1);
@@ -73,20 +102,21 @@ void work(const TileJob<Real>& job, const RenderJob& whole, TileQueue& queue, Pi
       queue.stopped = true;
       break;
     }
+    if (!whole.progress) continue;
     const std::lock_guard lock(queue.mutex);
     queue.pixels_done += static_cast<std::uint64_t>(tile.width) * tile.height;
-    if (whole.progress) {
-      whole.progress(queue.pixels_done, static_cast<std::uint64_t>(whole.window.width) *
-                                            static_cast<std::uint64_t>(whole.window.height));
-    }
+    whole.progress(queue.pixels_done, static_cast<std::uint64_t>(whole.window.width) *
+                                          static_cast<std::uint64_t>(whole.window.height));
   }
+  const double cpu = thread_cpu_seconds() - cpu_before;
+  const double elapsed = stopwatch.lap();
   const std::lock_guard lock(queue.mutex);
-  add_figures(renderer.counters(), job.plan, statistics);
+  add_figures(renderer.counters(), job.plan, elapsed > 0 ? cpu / elapsed : 1, statistics);
   statistics.samples += renderer.samples();
   statistics.camera_rays += renderer.center_rays();
   statistics.dropped_weight_max =
       std::max(statistics.dropped_weight_max, renderer.largest_dropped_weight());
-  statistics.cpu_seconds += thread_cpu_seconds() - started;
+  statistics.cpu_seconds += cpu;
 }
 
 inline void make_planes(PixelRect window, const AovRequest& aovs, Picture& picture) {
@@ -121,9 +151,10 @@ Result<RenderOutput> render_scene(const RenderJob& whole) {
   const TileJob<Real> job{world, output.plan, whole.scene.settings, whole.scene.camera,
                           whole.options};
   TileQueue queue;
-  queue.tiles = tiles_of(whole.window, TileRenderer<Real>::kTileSize);
-  const std::size_t wanted =
-      std::min(static_cast<std::size_t>(thread_count(whole.options.threads)), queue.tiles.size());
+  const auto asked = static_cast<std::size_t>(thread_count(whole.options.threads));
+  const int size = whole.options.limits.tile_size;
+  queue.tiles = tiles_of(whole.window, size > 0 ? size : tile_size(whole.window, asked));
+  const std::size_t wanted = std::min(asked, queue.tiles.size());
   const auto work_safely = [&]() noexcept {
     try {
       work(job, whole, queue, output.picture, output.statistics);

@@ -25,11 +25,11 @@ inline constexpr std::uint64_t kMetNothing = ~std::uint64_t{0};
 // it is reflected totally.
 template <class Real>
 std::optional<Real> refraction_at(Wave<Real>& wave, std::size_t h) {
-  const MaterialId id = wave.hits.material[h];
+  const MaterialId id = wave.hits.material_of(h);
   const MaterialRecord<Real>& material = wave.world.materials[id];
   if (material.kind != SurfaceKind::glass && !material.pov_clear) return std::nullopt;
-  const Hit<Real>& hit = wave.hits.hit[h];
-  MediumId here = wave.rays.medium[wave.hits.ray[h]];
+  const Hit<Real> hit = wave.hits.hit[h];
+  MediumId here = wave.rays.medium[wave.hits.ray_of(h)];
   if (!wave.world.thin[hit.shape]) here = before_surface(wave.media, here, id, hit.enters);
   const Passage<Real> passage = cross_shape(wave.world, wave.media, here, hit.shape, hit.enters);
   const Real eta = passage.ior_here / passage.ior_behind;
@@ -38,11 +38,11 @@ std::optional<Real> refraction_at(Wave<Real>& wave, std::size_t h) {
 
 template <class Real>
 void sign_hits(Wave<Real>& wave) {
-  for (const std::uint32_t i : wave.escaped)
+  for (const std::size_t i : wave.escaped)
     sign(wave, wave.rays.slot[i], wave.rays.path[i], kMetNothing);
   for (std::size_t h = 0; h < wave.hits.size(); ++h) {
-    const std::size_t i = wave.hits.ray[h];
-    const Hit<Real>& hit = wave.hits.hit[h];
+    const std::size_t i = wave.hits.ray_of(h);
+    const Hit<Real> hit = wave.hits.hit[h];
     const auto refraction = refraction_at(wave, h);
     const bool total = refraction && *refraction < Real(0);
     sign(wave, wave.rays.slot[i], mix_64(wave.rays.path[i], total ? 1 : 0),
@@ -52,15 +52,15 @@ void sign_hits(Wave<Real>& wave) {
 
 template <class Real>
 void weigh_hits(Wave<Real>& wave) {
-  for (const std::uint32_t i : wave.escaped) {
+  for (const std::size_t i : wave.escaped) {
     wave.weigh(wave.rays.slot[i],
                margin_of_hit<Real>(wave.world, wave.rays.ray(i), wave.rays.source[i], nullptr));
   }
   for (std::size_t h = 0; h < wave.hits.size(); ++h) {
-    const std::size_t i = wave.hits.ray[h];
+    const std::size_t i = wave.hits.ray_of(h);
     const SlotId slot = wave.rays.slot[i];
-    wave.weigh(slot,
-               margin_of_hit(wave.world, wave.rays.ray(i), wave.rays.source[i], &wave.hits.hit[h]));
+    const Hit<Real> hit = wave.hits.hit[h];
+    wave.weigh(slot, margin_of_hit(wave.world, wave.rays.ray(i), wave.rays.source[i], &hit));
     if (const auto refraction = refraction_at(wave, h)) wave.weigh(slot, absolute(*refraction));
   }
 }
@@ -68,7 +68,7 @@ void weigh_hits(Wave<Real>& wave) {
 // One sample of a light at one hit, as the stages of stage_light.h see it.
 template <class Real>
 struct LightQuestion {
-  std::uint32_t hit;
+  std::size_t hit;
   LightSample<Real> sample;
   std::uint64_t name;
   ShapeId lamp;
@@ -79,21 +79,21 @@ struct LightQuestion {
 template <class Real, class Visitor>
 void for_each_light_question(const Wave<Real>& wave, const Visitor& visit) {
   const auto& lights = wave.world.lights;
-  const auto ask = [&](std::uint32_t h, const LightSample<Real>& sample, std::uint32_t k,
+  const auto ask = [&](std::size_t h, const LightSample<Real>& sample, std::uint32_t k,
                        const auto& light) {
     // Of no length where a light is at the point, or turns its back on it.
     if (!(dot(sample.direction, sample.direction) > Real(0))) return;
-    const std::uint64_t branch = wave.rays.path[wave.hits.ray[h]];
+    const std::uint64_t branch = wave.rays.path[wave.hits.ray_of(h)];
     const std::uint64_t name = mix_64(mix_64(branch, kFirstLightDimension + light.id), k);
     visit(LightQuestion<Real>{h, sample, name, light.visible_shape, light.casts_shadows});
   };
-  for (const auto* hits : {&wave.matte, &wave.glossy, &wave.coat, &wave.pov}) {
+  for (const auto* hits : {&wave.of(SurfaceKind::matte), &wave.of(SurfaceKind::glossy),
+                           &wave.of(SurfaceKind::coat), &wave.of(SurfaceKind::pov)}) {
     const auto of_light = [&](const auto& light) {
-      return [&](std::uint32_t h, const LightSample<Real>& s, std::uint32_t k) {
-        ask(h, s, k, light);
-      };
+      return
+          [&](std::size_t h, const LightSample<Real>& s, std::uint32_t k) { ask(h, s, k, light); };
     };
-    for (const std::uint32_t h : *hits) {
+    for (const std::size_t h : *hits) {
       const Vec3<Real> position = wave.hits.position[h];
       for (const auto& light : lights.points)
         ask(h, light.kernel.sample(position), 0, light);
@@ -116,7 +116,7 @@ Real facing(const Wave<Real>& wave, const LightQuestion<Real>& q) {
   const Vec3<Real> normal = wave.hits.shading_normal[q.hit];
   const Real above = dot(wave.hits.geometric_normal[q.hit], q.sample.direction);
   const Real outside = wave.hits.hit[q.hit].enters ? above : -above;
-  const Real view = -dot(normal, wave.rays.direction[wave.hits.ray[q.hit]]);
+  const Real view = -dot(normal, wave.rays.direction[wave.hits.ray_of(q.hit)]);
   return smaller(smaller(dot(normal, q.sample.direction), outside), view);
 }
 
@@ -143,14 +143,14 @@ void sign_lights(Wave<Real>& wave) {
     const Ray<Real> ray{wave.hits.position[q.hit], q.sample.direction};
     const std::uint64_t way =
         q.casts_shadows ? obstacles(wave, q, ray, wave.source_at(q.hit, false)) : 0;
-    sign(wave, wave.rays.slot[wave.hits.ray[q.hit]], q.name, way);
+    sign(wave, wave.rays.slot[wave.hits.ray_of(q.hit)], q.name, way);
   });
 }
 
 template <class Real>
 void weigh_lights(Wave<Real>& wave) {
   for_each_light_question(wave, [&](const LightQuestion<Real>& q) {
-    const SlotId slot = wave.rays.slot[wave.hits.ray[q.hit]];
+    const SlotId slot = wave.rays.slot[wave.hits.ray_of(q.hit)];
     const Real cosine = facing(wave, q);
     wave.weigh(slot, absolute(cosine));
     if (!(cosine > Real(0)) || !q.casts_shadows) return;

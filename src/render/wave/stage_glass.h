@@ -9,13 +9,13 @@ namespace alhazen::render {
 
 template <class Real>
 void refract_in_glass(Wave<Real>& wave) {
-  for (const std::uint32_t h : wave.glass) {
-    const std::size_t parent = wave.hits.ray[h];
+  for (const std::size_t h : wave.of(SurfaceKind::glass)) {
+    const std::size_t parent = wave.hits.ray_of(h);
     const Vec3<Real> incident = wave.rays.direction[parent];
     const Vec3<Real> position = wave.hits.position[h];
     const bool entering = wave.hits.hit[h].enters;
     const Passage<Real> passage = cross_surface(wave.world, wave.media, wave.rays.medium[parent],
-                                                wave.hits.material[h], entering);
+                                                wave.hits.material_of(h), entering);
     const Rgb<Real> weight = wave.rays.weight[parent];
     const Real eta = passage.ior_here / passage.ior_behind;
     const DielectricInterface<Real> interface = dielectric_interface(incident_cosine(wave, h), eta);

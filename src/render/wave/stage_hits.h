@@ -8,11 +8,11 @@
 namespace alhazen::render {
 
 template <class Real>
-void keep_hit(Wave<Real>& wave, std::uint32_t ray, const std::optional<Hit<Real>>& hit) {
+void keep_hit(Wave<Real>& wave, std::size_t ray, const std::optional<Hit<Real>>& hit) {
   if (hit) {
     wave.hits.push(ray, *hit, wave.world.material_of[hit->shape]);
   } else {
-    wave.escaped.push_back(ray);
+    wave.escaped.push(ray);
   }
 }
 
@@ -20,7 +20,7 @@ void keep_hit(Wave<Real>& wave, std::uint32_t ray, const std::optional<Hit<Real>
 template <class Real>
 void find_closest_hits(Wave<Real>& wave) {
   for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-    keep_hit(wave, static_cast<std::uint32_t>(i),
+    keep_hit(wave, i,
              closest_hit(wave.world.tree, wave.rays.ray(i), wave.rays.source[i], infinity<Real>()));
   }
   wave.sort_hits();
@@ -34,7 +34,7 @@ void find_interfaces(Wave<Real>& wave) {
   const World<Real>& world = wave.world;
   for (std::size_t i = 0; i < wave.rays.size(); ++i) {
     const Ray<Real> ray = wave.rays.ray(i);
-    const Source& source = wave.rays.source[i];
+    const Source source = wave.rays.source[i];
     MediumId& medium = wave.rays.medium[i];
     Source passed;  // remembers the faces passed at one point
     Real passed_at = -1;
@@ -54,10 +54,10 @@ void find_interfaces(Wave<Real>& wave) {
       passed.remember({hit->shape, hit->face, hit->enters ? Side::kBelow : Side::kAbove});
       hit = next_hit(world.tree, ray, source, *hit, infinity<Real>());
     }
-    keep_hit(wave, static_cast<std::uint32_t>(i), hit);
-    if (!hit) continue;
-    if (hit->t != passed_at) passed = {};
-    wave.hits.passed.push_back(passed.earlier);
+    if (hit && hit->t == passed_at) {
+      wave.hits.passed.push_back({static_cast<std::uint32_t>(wave.hits.size()), passed.earlier});
+    }
+    keep_hit(wave, i, hit);
   }
   wave.sort_hits();
 }
@@ -70,18 +70,18 @@ void absorb(Wave<Real>& wave) {
         wave.media.current(wave.rays.medium[i], wave.world.materials.priorities());
     if (inside == kNoId) return;
     const Rgb<Real> absorption = wave.world.materials[inside].absorption;
-    wave.rays.weight[i] = wave.rays.weight[i] * transmitted_share(absorption, distance);
+    wave.rays.weight.set(i, wave.rays.weight[i] * transmitted_share(absorption, distance));
   };
   for (std::size_t h = 0; h < wave.hits.size(); ++h)
-    lose(wave.hits.ray[h], wave.hits.hit[h].t);
-  for (const std::uint32_t i : wave.escaped)
+    lose(wave.hits.ray_of(h), wave.hits.hit[h].t);
+  for (const std::size_t i : wave.escaped)
     lose(i, infinity<Real>());
 }
 
 template <class Real, class Radiance>
 void add_where_nothing_is(Wave<Real>& wave, const Radiance& radiance) {
-  for (const std::uint32_t i : wave.escaped) {
-    if (wave.world.transparent_background && wave.rays.source[i].shape == kNoId) continue;
+  for (const std::size_t i : wave.escaped) {
+    if (wave.world.transparent_background && wave.rays.source.shape[i] < 0) continue;
     wave.add(i, radiance(wave.rays.direction[i]));
   }
 }
@@ -98,24 +98,24 @@ void add_environment(Wave<Real>& wave) {
   add_where_nothing_is(wave, [&](Vec3<Real> d) { return background.picture(d); });
 }
 
-// Position and normals, and for textures the coordinates that they ask for. The shading normal is
-// turned to the side that the ray came from.
+// Position and normals, and where the colour is a texture the coordinates that it asks for. The
+// shading normal is turned to the side that the ray came from.
 template <class Real, bool with_coordinates>
 void find_surfaces(Wave<Real>& wave) {
   auto& hits = wave.hits;
-  hits.resize_points();
-  if constexpr (with_coordinates) hits.texture_point.resize(hits.size());
+  if constexpr (with_coordinates) hits.texture_point.make_room(hits.size());
+  const ShapeTable<Real>& shapes = wave.world.shapes;
   for (std::size_t h = 0; h < hits.size(); ++h) {
-    const Hit<Real>& hit = hits.hit[h];
-    const Ray<Real> ray = wave.rays.ray(hits.ray[h]);
-    const ShapeTable<Real>& shapes = wave.world.shapes;
-    const SurfacePoint<Real> point = with_coordinates
+    const Hit<Real> hit = hits.hit[h];
+    const Ray<Real> ray = wave.rays.ray(hits.ray_of(h));
+    const bool textured = with_coordinates && wave.world.materials[hits.material_of(h)].textured;
+    const SurfacePoint<Real> point = textured
                                          ? shapes.surface(hit.shape, ray, hit.crossing())
                                          : shapes.plain_surface(hit.shape, ray, hit.crossing());
-    hits.position[h] = point.position;
-    hits.geometric_normal[h] = point.normal;
-    hits.shading_normal[h] = hit.enters ? point.shading_normal : -point.shading_normal;
-    if constexpr (with_coordinates) {
+    hits.position.set(h, point.position);
+    hits.geometric_normal.set(h, point.normal);
+    hits.shading_normal.set(h, hit.enters ? point.shading_normal : -point.shading_normal);
+    if (textured) {
       hits.texture_point[h] = {point.object_position, point.position, point.u, point.v};
     }
   }
@@ -124,31 +124,26 @@ void find_surfaces(Wave<Real>& wave) {
 template <class Real>
 void find_plain_colors(Wave<Real>& wave) {
   auto& hits = wave.hits;
-  hits.color.resize(hits.size());
-  for (std::size_t h = 0; h < hits.size(); ++h) {
-    const TextureId color = wave.world.materials[hits.material[h]].color;
-    if (color == kNoId) continue;
-    // A pattern is met here only where nobody asks for its colour.
-    if (const auto solid = wave.world.textures.solid_color(color)) hits.color[h] = *solid;
-  }
+  // A pattern is met here only where nobody asks for its colour.
+  for (std::size_t h = 0; h < hits.size(); ++h)
+    hits.color.set(h, wave.world.materials[hits.material_of(h)].solid_color);
 }
 
 template <class Real>
 void find_textured_colors(Wave<Real>& wave) {
   auto& hits = wave.hits;
-  hits.color.resize(hits.size());
   for (std::size_t h = 0; h < hits.size(); ++h) {
-    const TextureId color = wave.world.materials[hits.material[h]].color;
-    if (color != kNoId) {
-      hits.color[h] = wave.world.textures.color(color, hits.texture_point[h]);
-    }
+    const MaterialRecord<Real>& material = wave.world.materials[hits.material_of(h)];
+    hits.color.set(h, material.textured
+                          ? wave.world.textures.color(material.color, hits.texture_point[h])
+                          : material.solid_color);
   }
 }
 
 template <class Real>
 void add_emission(Wave<Real>& wave) {
-  for (const std::uint32_t h : wave.glowing) {
-    wave.add(wave.hits.ray[h], wave.world.materials[wave.hits.material[h]].emission);
+  for (const std::size_t h : wave.glowing) {
+    wave.add(wave.hits.ray_of(h), wave.world.materials[wave.hits.material_of(h)].emission);
   }
 }
 

@@ -21,7 +21,9 @@ struct Illumination {
 // radiance 1 from everywhere adds.
 template <class Real>
 struct MatteResponse {
-  static const std::vector<std::uint32_t>& hits(const Wave<Real>& wave) { return wave.matte; }
+  static const typename Wave<Real>::List& hits(const Wave<Real>& wave) {
+    return wave.of(SurfaceKind::matte);
+  }
   static Rgb<Real> scattered(const MaterialRecord<Real>&, Rgb<Real> color,
                              const Illumination<Real>& at) {
     return at.cosine * at.light.weight * (color / pi<Real>());
@@ -31,7 +33,9 @@ struct MatteResponse {
 
 template <class Real>
 struct GlossyResponse {
-  static const std::vector<std::uint32_t>& hits(const Wave<Real>& wave) { return wave.glossy; }
+  static const typename Wave<Real>::List& hits(const Wave<Real>& wave) {
+    return wave.of(SurfaceKind::glossy);
+  }
   static Rgb<Real> scattered(const MaterialRecord<Real>& material, Rgb<Real> color,
                              const Illumination<Real>& at) {
     const Rgb<Real> value = color / pi<Real>() + highlight_value(material.lobe, at.normal,
@@ -45,7 +49,9 @@ struct GlossyResponse {
 
 template <class Real>
 struct CoatResponse {
-  static const std::vector<std::uint32_t>& hits(const Wave<Real>& wave) { return wave.coat; }
+  static const typename Wave<Real>::List& hits(const Wave<Real>& wave) {
+    return wave.of(SurfaceKind::coat);
+  }
   static Rgb<Real> scattered(const MaterialRecord<Real>& material, Rgb<Real> color,
                              const Illumination<Real>& at) {
     return at.cosine * at.light.weight *
@@ -59,7 +65,9 @@ struct CoatResponse {
 // A light without shadows is POV-Ray's fill light, which makes no highlight.
 template <class Real>
 struct PovResponse {
-  static const std::vector<std::uint32_t>& hits(const Wave<Real>& wave) { return wave.pov; }
+  static const typename Wave<Real>::List& hits(const Wave<Real>& wave) {
+    return wave.of(SurfaceKind::pov);
+  }
   static Rgb<Real> scattered(const MaterialRecord<Real>& material, Rgb<Real> color,
                              const Illumination<Real>& at) {
     Rgb<Real> answer = pov_diffuse(material.pov, color, at.cosine);
@@ -75,11 +83,11 @@ struct PovResponse {
 
 template <class Real, template <class> class Response>
 void add_ambient(Wave<Real>& wave) {
-  for (const std::uint32_t h : Response<Real>::hits(wave)) {
-    const std::size_t i = wave.hits.ray[h];
+  for (const std::size_t h : Response<Real>::hits(wave)) {
+    const std::size_t i = wave.hits.ray_of(h);
     const Real cos_view = -dot(wave.rays.direction[i], wave.hits.shading_normal[h]);
     if (!(cos_view > Real(0))) continue;
-    const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material[h]];
+    const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material_of(h)];
     wave.add(i, wave.world.lights.ambient *
                     Response<Real>::even_sky(material, wave.hits.color[h], cos_view));
   }
@@ -88,17 +96,17 @@ void add_ambient(Wave<Real>& wave) {
 // Queues what one sample of a light adds at hit `h`, if both the surface and its shading normal
 // face it.
 template <class Real, template <class> class Response, class Placed>
-void queue_light(Wave<Real>& wave, std::uint32_t h, const LightSample<Real>& sample,
+void queue_light(Wave<Real>& wave, std::size_t h, const LightSample<Real>& sample,
                  const Placed& light) {
   if (is_black(sample.weight)) return;
-  const std::size_t i = wave.hits.ray[h];
+  const std::size_t i = wave.hits.ray_of(h);
   const Vec3<Real> view = -wave.rays.direction[i];
   const Vec3<Real> normal = wave.hits.shading_normal[h];
   const Real cosine = dot(normal, sample.direction);
   const Real above = dot(wave.hits.geometric_normal[h], sample.direction);
   const bool same_side = wave.hits.hit[h].enters ? above > Real(0) : above < Real(0);
   if (!(cosine > Real(0)) || !same_side || !(dot(normal, view) > Real(0))) return;
-  const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material[h]];
+  const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material_of(h)];
   const Rgb<Real> scattered = Response<Real>::scattered(
       material, wave.hits.color[h], {normal, view, sample, cosine, light.casts_shadows});
   if (is_black(scattered)) return;
@@ -111,7 +119,7 @@ void queue_light(Wave<Real>& wave, std::uint32_t h, const LightSample<Real>& sam
 template <class Real, template <class> class Response>
 void shine_points(Wave<Real>& wave) {
   for (const auto& light : wave.world.lights.points) {
-    for (const std::uint32_t h : Response<Real>::hits(wave)) {
+    for (const std::size_t h : Response<Real>::hits(wave)) {
       queue_light<Real, Response>(wave, h, light.kernel.sample(wave.hits.position[h]), light);
     }
   }
@@ -120,7 +128,7 @@ void shine_points(Wave<Real>& wave) {
 template <class Real, template <class> class Response>
 void shine_directionals(Wave<Real>& wave) {
   for (const auto& light : wave.world.lights.directionals) {
-    for (const std::uint32_t h : Response<Real>::hits(wave)) {
+    for (const std::size_t h : Response<Real>::hits(wave)) {
       queue_light<Real, Response>(wave, h, light.kernel.sample(), light);
     }
   }
@@ -129,7 +137,7 @@ void shine_directionals(Wave<Real>& wave) {
 template <class Real, template <class> class Response>
 void shine_spots(Wave<Real>& wave) {
   for (const auto& light : wave.world.lights.spots) {
-    for (const std::uint32_t h : Response<Real>::hits(wave)) {
+    for (const std::size_t h : Response<Real>::hits(wave)) {
       queue_light<Real, Response>(wave, h, light.kernel.sample(wave.hits.position[h]), light);
     }
   }
@@ -139,10 +147,10 @@ void shine_spots(Wave<Real>& wave) {
 // one light at one branch of a pixel's ray trees are one sequence, through all camera samples of
 // the pixel: together they are spread over the light as evenly as the samples of one.
 template <class View, class Real, class Placed, class Visitor>
-void visit_area(const Wave<Real>& wave, const std::vector<std::uint32_t>& hits, const Placed& light,
+void visit_area(const Wave<Real>& wave, const typename Wave<Real>::List& hits, const Placed& light,
                 const Visitor& visit) {
-  for (const std::uint32_t h : hits) {
-    const std::size_t i = wave.hits.ray[h];
+  for (const std::size_t h : hits) {
+    const std::size_t i = wave.hits.ray_of(h);
     const View view(light.kernel, wave.hits.position[h]);
     const std::uint64_t seed = mix_64(wave.rays.path[i], kFirstLightDimension + light.id);
     const auto count = static_cast<std::uint32_t>(light.kernel.samples);
@@ -158,7 +166,7 @@ template <class Real, template <class> class Response, class View, class Placed>
 void shine_area(Wave<Real>& wave, const std::vector<Placed>& lights) {
   for (const Placed& light : lights) {
     visit_area<View>(wave, Response<Real>::hits(wave), light,
-                     [&](std::uint32_t h, const LightSample<Real>& sample, std::uint32_t) {
+                     [&](std::size_t h, const LightSample<Real>& sample, std::uint32_t) {
                        queue_light<Real, Response>(wave, h, sample, light);
                      });
   }

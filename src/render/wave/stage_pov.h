@@ -10,9 +10,9 @@ namespace alhazen::render {
 
 template <class Real>
 void add_pov_glow(Wave<Real>& wave) {
-  for (const std::uint32_t h : wave.pov_glowing) {
-    const PovSurface<Real>& surface = wave.world.materials[wave.hits.material[h]].pov;
-    wave.add(wave.hits.ray[h], wave.hits.color[h] * surface.glow);
+  for (const std::size_t h : wave.pov_glowing) {
+    const PovSurface<Real>& surface = wave.world.materials[wave.hits.material_of(h)].pov;
+    wave.add(wave.hits.ray_of(h), wave.hits.color[h] * surface.glow);
   }
 }
 
@@ -41,11 +41,11 @@ Real pov_fresnel_eta(const Passage<Real>& passage, Real own, bool entering) {
 // back of a sheet: POV-Ray takes either side of a sheet for the outside.
 template <class Real>
 PovHit<Real> find_pov_hit(Wave<Real>& wave, std::size_t h) {
-  const Hit<Real>& hit = wave.hits.hit[h];
-  const MaterialId id = wave.hits.material[h];
+  const Hit<Real> hit = wave.hits.hit[h];
+  const MaterialId id = wave.hits.material_of(h);
   const MaterialRecord<Real>& material = wave.world.materials[id];
   const Real cosine = incident_cosine(wave, h);
-  MediumId here = wave.rays.medium[wave.hits.ray[h]];
+  MediumId here = wave.rays.medium[wave.hits.ray_of(h)];
   const bool enters = hit.enters || (!material.pov_clear && !wave.media.contains(here, id));
   if (!wave.world.thin[hit.shape]) here = before_surface(wave.media, here, id, enters);
   PovHit<Real> met{};
@@ -65,7 +65,7 @@ PovHit<Real> find_pov_hit(Wave<Real>& wave, std::size_t h) {
 
 template <class Real>
 void reflect_as_pov(Wave<Real>& wave) {
-  for (const std::uint32_t h : wave.pov_mirror) {
+  for (const std::size_t h : wave.pov_mirror) {
     const PovHit<Real> met = find_pov_hit(wave, h);
     if (!met.reflects_totally) spawn_reflection(wave, h, met.reflected);
   }
@@ -74,10 +74,10 @@ void reflect_as_pov(Wave<Real>& wave) {
 // What has passed a solid is faded on leaving it. A ray that is not bent counts as no deeper one.
 template <class Real>
 void transmit_as_pov(Wave<Real>& wave) {
-  for (const std::uint32_t h : wave.pov_clear) {
-    const PovSurface<Real>& surface = wave.world.materials[wave.hits.material[h]].pov;
-    const Hit<Real>& hit = wave.hits.hit[h];
-    const std::size_t parent = wave.hits.ray[h];
+  for (const std::size_t h : wave.pov_clear) {
+    const PovSurface<Real>& surface = wave.world.materials[wave.hits.material_of(h)].pov;
+    const Hit<Real> hit = wave.hits.hit[h];
+    const std::size_t parent = wave.hits.ray_of(h);
     const Vec3<Real> incident = wave.rays.direction[parent];
     const PovHit<Real> met = find_pov_hit(wave, h);
     const bool leaves = surface.fades && !hit.enters;

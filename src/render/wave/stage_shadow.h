@@ -16,8 +16,8 @@ void add_unshadowed(Wave<Real>& wave) {
 template <class Real>
 void count_shadow_rays(Wave<Real>& wave) {
   wave.counters.shadow_rays += wave.light_paths.size();
-  for (const SlotId slot : wave.light_paths.slot)
-    ++wave.slots.rays[slot];
+  for (std::size_t i = 0; i < wave.light_paths.size(); ++i)
+    ++wave.slots.rays[wave.light_paths.slot[i]];
 }
 
 template <class Real>
@@ -25,8 +25,9 @@ void add_past_opaque(Wave<Real>& wave) {
   const ShadowQueue<Real>& paths = wave.light_paths;
   count_shadow_rays(wave);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const bool blocked = any_hit(wave.world.tree, {paths.origin[i], paths.direction[i]},
-                                 paths.source[i], paths.distance[i], paths.light_shape[i]);
+    const bool blocked =
+        any_hit(wave.world.tree, {paths.origin[i], paths.direction[i]}, paths.source[i],
+                paths.distance[i], static_cast<ShapeId>(paths.light_shape[i]));
     if (!blocked) wave.slots.radiance[paths.slot[i]] += paths.radiance[i];
   }
 }
@@ -67,9 +68,9 @@ Rgb<Real> follow_to_light(Wave<Real>& wave, std::size_t i) {
   const ShadowQueue<Real>& paths = wave.light_paths;
   const World<Real>& world = wave.world;
   const Ray<Real> ray{paths.origin[i], paths.direction[i]};
-  const Source& source = paths.source[i];
+  const Source source = paths.source[i];
   const Real distance = paths.distance[i];
-  const ShapeId lamp = paths.light_shape[i];
+  const auto lamp = static_cast<ShapeId>(paths.light_shape[i]);
   MediumId medium = paths.medium[i];
   Real travelled = 0;
   Rgb<Real> share(Real(1));

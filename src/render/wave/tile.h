@@ -25,13 +25,16 @@ struct TileJob {
 template <class Real>
 class TileRenderer {
  public:
-  static constexpr int kTileSize = 16;  // pixels on each side
-
   explicit TileRenderer(const TileJob<Real>& job)
       : job_(job),
-        integrator_(job.world, job.plan, job.options.cancel),
-        batch_samples_(
-            std::clamp<std::size_t>(kMaxBatchPaths / job.world.light_samples(), 16, 4096)) {}
+        batch_samples_(batch_samples(job)),
+        integrator_(job.world, job.plan, job.options.cancel, 2 * batch_samples_) {
+    const AovRequest& aovs = job.options.aovs;
+    wants_.first_surface =
+        aovs.albedo || aovs.object_ids || aovs.material_ids || job.settings.transparent_background;
+    wants_.signature = aovs.signature;
+    wants_.margin = aovs.margin;
+  }
 
   // Renders `tile`, a part of `picture.window`, into the picture. False when the run was cancelled.
   bool render(PixelRect tile, Picture& picture);
@@ -47,6 +50,9 @@ class TileRenderer {
     std::int32_t x, y;
     std::uint32_t taken = 0, wanted = 0;
     PixelAccumulator<4> radiance;  // and alpha
+  };
+  // Of each pixel, if there are data channels at all.
+  struct PixelData {
     RunningMoments<3> albedo;
     std::uint64_t rays = 0;
     std::uint64_t signature = 0;  // a sum: the order of samples does not matter
@@ -63,16 +69,28 @@ class TileRenderer {
   bool run_wanted();
   bool run_batch(const std::vector<SampleRange>& spans);
   void collect(const std::vector<SampleRange>& spans);
+  void collect_data(std::size_t slot, std::uint32_t sample, PixelData& data);
   bool want_more();
   bool find_wanting();
   void finish(Picture& picture);
+  void finish_data(const Pixel& pixel, const PixelData& data, std::size_t p, Picture& picture);
+
+  // Camera samples followed at once: fewer where each of them asks many samples of the lights.
+  static std::size_t batch_samples(const TileJob<Real>& job) {
+    const std::size_t asked = job.options.limits.generation_rays;
+    if (asked > 0) return asked;
+    return std::clamp<std::size_t>(kBatchPaths / job.world.light_samples(), 64, 2048);
+  }
+  // So that the queues of a generation, some 500 bytes an entry, fit into a second-level cache.
+  static constexpr std::size_t kBatchPaths = std::size_t{1} << 13;
 
   TileJob<Real> job_;
-  Integrator<Real> integrator_;
-  std::vector<Pixel> pixels_;
-  // Camera samples followed at once: fewer where each of them asks many samples of the lights.
-  static constexpr std::size_t kMaxBatchPaths = std::size_t{1} << 16;
   std::size_t batch_samples_;
+  Integrator<Real> integrator_;
+  SlotWants wants_;
+  std::vector<Pixel> pixels_;
+  std::vector<PixelData> data_;     // parallel to pixels_, or empty
+  std::vector<SampleRange> spans_;  // of the batch
   std::uint64_t samples_ = 0, center_rays_ = 0;
   double largest_dropped_weight_ = 0;
 };

@@ -21,26 +21,30 @@ template <class Real>
 void TileRenderer<Real>::start(PixelRect tile) {
   const bool adaptive = job_.plan.runs(StageId::adaptive_rounds);
   const int first = adaptive ? job_.settings.adaptive->min_samples : job_.settings.samples;
+  // In small blocks: rays that stand side by side in the queues go nearly the same way.
+  constexpr int kBlock = 4;
+  const int right = tile.x + tile.width, bottom = tile.y + tile.height;
   pixels_.clear();
-  for (int y = tile.y; y < tile.y + tile.height; ++y) {
-    for (int x = tile.x; x < tile.x + tile.width; ++x) {
-      Pixel pixel;
-      pixel.x = x;
-      pixel.y = y;
-      pixel.wanted = static_cast<std::uint32_t>(first);
-      pixels_.push_back(std::move(pixel));
+  for (int top = tile.y; top < bottom; top += kBlock) {
+    for (int left = tile.x; left < right; left += kBlock) {
+      for (int y = top; y < std::min(top + kBlock, bottom); ++y) {
+        for (int x = left; x < std::min(left + kBlock, right); ++x)
+          pixels_.push_back({x, y, 0, static_cast<std::uint32_t>(first), {}});
+      }
     }
   }
+  data_.clear();
+  if (job_.options.aovs.any()) data_.resize(pixels_.size());
 }
 
 // Runs batches until every pixel has the samples it wants.
 template <class Real>
 bool TileRenderer<Real>::run_wanted() {
-  std::vector<SampleRange> spans;
+  spans_.clear();
   std::size_t size = 0;
   const auto flush = [&] {
-    const bool done = size == 0 || run_batch(spans);
-    spans.clear();
+    const bool done = size == 0 || run_batch(spans_);
+    spans_.clear();
     size = 0;
     return done;
   };
@@ -49,7 +53,7 @@ bool TileRenderer<Real>::run_wanted() {
     while (next < pixels_[p].wanted) {
       const auto room = static_cast<std::uint32_t>(batch_samples_ - size);
       const std::uint32_t count = std::min(pixels_[p].wanted - next, room);
-      spans.push_back({p, next, count});
+      spans_.push_back({p, next, count});
       next += count;
       size += count;
       if (size == batch_samples_ && !flush()) return false;
@@ -63,9 +67,8 @@ bool TileRenderer<Real>::run_batch(const std::vector<SampleRange>& spans) {
   std::size_t size = 0;
   for (const SampleRange& span : spans)
     size += span.count;
-  const AovRequest& aovs = job_.options.aovs;
   Slots<Real>& slots = integrator_.wave().slots;
-  slots.resize(size, aovs.signature, aovs.margin);
+  slots.resize(size, wants_);
   std::size_t slot = 0;
   for (const SampleRange& span : spans) {
     for (std::uint32_t k = 0; k < span.count; ++k) {
@@ -83,24 +86,14 @@ bool TileRenderer<Real>::run_batch(const std::vector<SampleRange>& spans) {
 template <class Real>
 void TileRenderer<Real>::collect(const std::vector<SampleRange>& spans) {
   const Slots<Real>& slots = integrator_.wave().slots;
-  const AovRequest& aovs = job_.options.aovs;
   std::size_t slot = 0;
   for (const SampleRange& span : spans) {
     Pixel& pixel = pixels_[span.pixel];
     for (std::uint32_t k = 0; k < span.count; ++k, ++slot) {
       const Rgbd radiance(slots.radiance[slot]);
-      const double met = slots.met_something[slot] ? 1 : 0;
+      const double met = wants_.first_surface && slots.met_something[slot] != 0 ? 1 : 0;
       pixel.radiance.add({radiance.r, radiance.g, radiance.b, met}, slots.negative[slot] != 0);
-      pixel.rays += slots.rays[slot];
-      const Rgbd albedo(slots.first_color[slot]);
-      if (aovs.albedo) pixel.albedo.add({albedo.r, albedo.g, albedo.b});
-      if (aovs.signature) pixel.signature += mix_64(span.first + k, slots.signature[slot]);
-      if (aovs.margin) {
-        pixel.margin = std::min(pixel.margin, static_cast<float>(slots.margin[slot]));
-      }
-      const ShapeId first = slots.first_shape[slot];
-      if (first != kNoId && aovs.object_ids) pixel.objects.add(first);
-      if (first != kNoId && aovs.material_ids) pixel.materials.add(job_.world.material_of[first]);
+      if (!data_.empty()) collect_data(slot, span.first + k, data_[span.pixel]);
       largest_dropped_weight_ = std::max(largest_dropped_weight_,
                                          static_cast<double>(largest_channel(slots.dropped[slot])));
     }
@@ -109,13 +102,28 @@ void TileRenderer<Real>::collect(const std::vector<SampleRange>& spans) {
 }
 
 template <class Real>
+void TileRenderer<Real>::collect_data(std::size_t slot, std::uint32_t sample, PixelData& data) {
+  const Slots<Real>& slots = integrator_.wave().slots;
+  const AovRequest& aovs = job_.options.aovs;
+  data.rays += slots.rays[slot];
+  if (aovs.signature) data.signature += mix_64(sample, slots.signature[slot]);
+  if (aovs.margin) data.margin = std::min(data.margin, static_cast<float>(slots.margin[slot]));
+  if (!wants_.first_surface) return;
+  const Rgbd albedo(slots.first_color[slot]);
+  if (aovs.albedo) data.albedo.add({albedo.r, albedo.g, albedo.b});
+  const ShapeId first = slots.first_shape[slot];
+  if (first == kNoId) return;
+  if (aovs.object_ids) data.objects.add(first);
+  if (aovs.material_ids) data.materials.add(job_.world.material_of[first]);
+}
+
+template <class Real>
 bool TileRenderer<Real>::want_more() {
   if constexpr (is_built_in(StageId::adaptive_rounds)) {
     if (!job_.plan.runs(StageId::adaptive_rounds)) return false;
-    const double before = thread_cpu_seconds();
+    Stopwatch stopwatch;
     const bool more = find_wanting();
-    integrator_.wave().counters.add(StageId::adaptive_rounds, pixels_.size(),
-                                    thread_cpu_seconds() - before);
+    integrator_.wave().counters.add(StageId::adaptive_rounds, pixels_.size(), stopwatch.lap());
     return more;
   }
   return false;
@@ -140,8 +148,8 @@ bool TileRenderer<Real>::find_wanting() {
 
 template <class Real>
 void TileRenderer<Real>::finish(Picture& picture) {
-  const AovRequest& aovs = job_.options.aovs;
-  for (const Pixel& pixel : pixels_) {
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    const Pixel& pixel = pixels_[k];
     const std::size_t column = static_cast<std::size_t>(pixel.x - picture.window.x);
     const std::size_t row = static_cast<std::size_t>(pixel.y - picture.window.y);
     const std::size_t p = row * static_cast<std::size_t>(picture.window.width) + column;
@@ -149,22 +157,27 @@ void TileRenderer<Real>::finish(Picture& picture) {
     std::copy(mean.begin(), mean.begin() + 3,
               picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * p));
     picture.alpha[p] = job_.settings.transparent_background ? static_cast<float>(mean[3]) : 1.0F;
-    if (aovs.albedo) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        picture.albedo[3 * p + c] = static_cast<float>(pixel.albedo.mean(c));
-      }
-    }
-    const auto taken = static_cast<float>(pixel.taken);
-    if (aovs.samples) picture.samples[p] = taken;
-    if (aovs.signature) picture.signature[p] = pixel.signature;
-    if (aovs.margin) picture.margin[p] = pixel.margin;
-    if (aovs.cost) picture.cost[p] = static_cast<float>(pixel.rays);
-    if (aovs.object_ids) picture.objects[p] = pixel.objects.shares(pixel.taken);
-    if (aovs.material_ids) picture.materials[p] = pixel.materials.shares(pixel.taken);
-    if (aovs.depth || aovs.position || aovs.normal || aovs.uv) {
-      ++center_rays_;
-      write_center_geometry(job_.world, aovs, job_.camera, pixel.x, pixel.y, p, picture);
-    }
+    if (!data_.empty()) finish_data(pixel, data_[k], p, picture);
+  }
+}
+
+template <class Real>
+void TileRenderer<Real>::finish_data(const Pixel& pixel, const PixelData& data, std::size_t p,
+                                     Picture& picture) {
+  const AovRequest& aovs = job_.options.aovs;
+  if (aovs.albedo) {
+    for (std::size_t c = 0; c < 3; ++c)
+      picture.albedo[3 * p + c] = static_cast<float>(data.albedo.mean(c));
+  }
+  if (aovs.samples) picture.samples[p] = static_cast<float>(pixel.taken);
+  if (aovs.signature) picture.signature[p] = data.signature;
+  if (aovs.margin) picture.margin[p] = data.margin;
+  if (aovs.cost) picture.cost[p] = static_cast<float>(data.rays);
+  if (aovs.object_ids) picture.objects[p] = data.objects.shares(pixel.taken);
+  if (aovs.material_ids) picture.materials[p] = data.materials.shares(pixel.taken);
+  if (aovs.depth || aovs.position || aovs.normal || aovs.uv) {
+    ++center_rays_;
+    write_center_geometry(job_.world, aovs, job_.camera, pixel.x, pixel.y, p, picture);
   }
 }
 

@@ -1,52 +1,19 @@
 // render/wave: one worker's rays in flight: the queues of a batch, what the stages read and write.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "render/wave/hit_queue.h"
 #include "render/wave/media.h"
-#include "render/wave/queue.h"
 #include "render/wave/render.h"
+#include "render/wave/shadow_queue.h"
+#include "render/wave/slots.h"
 #include "render/wave/world.h"
 
 namespace alhazen::render {
-
-// One camera sample of a batch: which it is, and what its rays have added up to.
-template <class Real>
-struct Slots {
-  std::vector<std::int32_t> x, y;        // the pixel, in the frame
-  std::vector<std::uint32_t> sample;     // its number within the pixel
-  std::vector<Real> offset_x, offset_y;  // of its ray from the pixel's centre, in pixels
-  std::vector<std::uint8_t> negative;    // whether the reconstruction filter is, at that place
-  std::vector<Rgb<Real>> radiance;
-  std::vector<std::uint8_t> met_something;  // by the camera ray
-  std::vector<std::uint32_t> rays;          // traced for it, of all kinds
-  std::vector<Rgb<Real>> dropped;           // weight of children that were cut
-  std::vector<ShapeId> first_shape;         // that the camera ray met; kNoId: none
-  std::vector<Rgb<Real>> first_color;       // its albedo
-  std::vector<std::uint64_t> signature;     // only if it was asked for
-  std::vector<Real> margin;                 // likewise
-
-  std::size_t size() const { return x.size(); }
-  FilmPoint<Real> film_point(std::size_t s) const { return {x[s], y[s], offset_x[s], offset_y[s]}; }
-  void resize(std::size_t count, bool with_signature, bool with_margin) {
-    signature.assign(with_signature ? count : 0, 0);
-    margin.assign(with_margin ? count : 0, Real(1));
-    x.resize(count);
-    y.resize(count);
-    sample.resize(count);
-    offset_x.assign(count, Real(0));
-    offset_y.assign(count, Real(0));
-    negative.assign(count, 0);
-    radiance.assign(count, {});
-    met_something.assign(count, 0);
-    rays.assign(count, 0);
-    dropped.assign(count, {});
-    first_shape.assign(count, kNoId);
-    first_color.assign(count, {});
-  }
-};
 
 struct WaveCounters {
   std::uint64_t camera_rays = 0, reflection_rays = 0, refraction_rays = 0, shadow_rays = 0;
@@ -62,16 +29,18 @@ struct WaveCounters {
 
 template <class Real>
 struct Wave {
+  using List = IndexList<LaneInt<Real>>;  // indices in order
+
   explicit Wave(const World<Real>& w) : world(w) {}
 
   const World<Real>& world;
   Slots<Real> slots;
   RayQueue<Real> rays, next;  // this generation and the one it gives rise to
   HitQueue<Real> hits;
-  std::vector<std::uint32_t> escaped;  // rays that met nothing
-  // Hits by what their surface does, each a list of indices in order.
-  std::vector<std::uint32_t> matte, glossy, coat, mirror, metal, glass, glowing;
-  std::vector<std::uint32_t> pov, pov_glowing, pov_mirror, pov_clear;
+  List escaped;  // rays that met nothing
+  // Hits by what their surface does.
+  std::array<List, kSurfaceKinds> of_kind;
+  List glowing, pov_glowing, pov_mirror, pov_clear;
   ShadowQueue<Real> light_paths, unshadowed;
   MediumPool media;
   WaveCounters counters;
@@ -81,15 +50,24 @@ struct Wave {
     slots.radiance[rays.slot[i]] += rays.weight[i] * radiance;
   }
 
+  const List& of(SurfaceKind kind) const { return of_kind[static_cast<std::size_t>(kind)]; }
+
   // Keeps the smallest margin of the slot's decisions.
   void weigh(SlotId slot, Real margin) { slots.margin[slot] = smaller(slots.margin[slot], margin); }
 
   // Where a ray starts that goes on from hit `h`: on the side that it came from, or across.
   Source source_at(std::size_t h, bool across) const {
-    const std::size_t i = hits.ray[h];
-    Source source = source_after(rays.source[i], rays.direction[i], hits.hit[h], across);
+    const std::size_t i = hits.ray_of(h);
+    const Hit<Real> hit = hits.hit[h];
+    // What came before matters only if the ray has not moved.
+    const Source before = hit.t == Real(0) ? rays.source[i] : Source();
+    Source source = source_after(before, rays.direction[i], hit, across);
     if (hits.passed.empty()) return source;
-    for (auto face = hits.passed[h].rbegin(); face != hits.passed[h].rend(); ++face) {
+    const auto place = std::lower_bound(
+        hits.passed.begin(), hits.passed.end(), h,
+        [](const PassedFaces& passed, std::size_t hit_index) { return passed.hit < hit_index; });
+    if (place == hits.passed.end() || place->hit != h) return source;
+    for (auto face = place->faces.rbegin(); face != place->faces.rend(); ++face) {
       if (face->shape != kNoId) source.remember(*face);
     }
     return source;
@@ -102,41 +80,43 @@ struct Wave {
   // Where there is nothing to meet.
   void escape_all() {
     for (std::size_t i = 0; i < rays.size(); ++i)
-      escaped.push_back(static_cast<std::uint32_t>(i));
+      escaped.push(i);
   }
 
-  // What the camera rays met: for ids and albedo. Called at the end of the first generation, in
-  // which ray i is that of slot i.
-  void keep_first_surfaces() {
+  // What camera rays met: for ids, coverage and albedo.
+  void keep_first_surfaces(bool colored) {
     for (std::size_t h = 0; h < hits.size(); ++h) {
-      const SlotId slot = rays.slot[hits.ray[h]];
+      const std::size_t i = hits.ray_of(h);
+      if (rays.depth[i] != 0 || rays.passed[i] != 0) continue;
+      const SlotId slot = rays.slot[i];
       slots.met_something[slot] = 1;
       slots.first_shape[slot] = hits.hit[h].shape;
-      const bool colored = world.materials[hits.material[h]].color != kNoId;
-      if (colored && !hits.color.empty()) slots.first_color[slot] = hits.color[h];
+      const bool has_color = world.materials[hits.material_of(h)].color != kNoId;
+      if (colored && has_color) slots.first_color[slot] = hits.color[h];
     }
   }
 
   void start_generation() {
     hits.clear();
-    escaped.clear();
-    for (auto* list : {&matte, &glossy, &coat, &mirror, &metal, &glass, &glowing, &pov,
-                       &pov_glowing, &pov_mirror, &pov_clear})
-      list->clear();
+    hits.make_room(rays.size());
     light_paths.clear();
     unshadowed.clear();
+    for (List* list : {&escaped, &glowing, &pov_glowing, &pov_mirror, &pov_clear})
+      start_list(*list);
+    for (List& list : of_kind)
+      start_list(list);
   }
 
-  // Puts each hit on the list of its surface's kind.
+  // Puts each hit on the lists of what its surface does.
   void sort_hits() {
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-      const auto h = static_cast<std::uint32_t>(i);
-      const MaterialRecord<Real>& material = world.materials[hits.material[h]];
-      if (material.emits && (!material.one_sided || hits.hit[i].enters)) glowing.push_back(h);
-      if (material.pov_glows) pov_glowing.push_back(h);
-      if (material.pov_reflects) pov_mirror.push_back(h);
-      if (material.pov_clear) pov_clear.push_back(h);
-      if (auto* list = list_of(material.kind)) list->push_back(h);
+    for (std::size_t h = 0; h < hits.size(); ++h) {
+      const MaterialRoute& route = world.materials.route(hits.material_of(h));
+      of_kind[static_cast<std::size_t>(route.kind)].push(h);
+      if (!route.more) continue;
+      if (route.emits && (!route.one_sided || hits.hit.enters[h] != 0)) glowing.push(h);
+      if (route.pov_glows) pov_glowing.push(h);
+      if (route.pov_reflects) pov_mirror.push(h);
+      if (route.pov_clear) pov_clear.push(h);
     }
   }
 
@@ -188,26 +168,9 @@ struct Wave {
               depth, passed);
   }
 
-  std::vector<std::uint32_t>* list_of(SurfaceKind kind) {
-    switch (kind) {
-      case SurfaceKind::matte:
-        return &matte;
-      case SurfaceKind::glossy:
-        return &glossy;
-      case SurfaceKind::coat:
-        return &coat;
-      case SurfaceKind::mirror:
-        return &mirror;
-      case SurfaceKind::metal:
-        return &metal;
-      case SurfaceKind::glass:
-        return &glass;
-      case SurfaceKind::pov:
-        return &pov;
-      case SurfaceKind::black:
-        break;
-    }
-    return nullptr;
+  void start_list(List& list) {
+    list.clear();
+    list.make_room(rays.size());
   }
 };
 

@@ -24,8 +24,8 @@ struct World {
       : world_offset(scene.camera.frame.position),
         shapes(scene.shapes, world_offset),
         tree(shapes, threads),
-        materials(scene),
         textures(scene.textures, views_of(pictures), world_offset),
+        materials(scene, textures),
         lights(scene.lights, world_offset),
         camera(scene.camera, scene.settings.width, scene.settings.height),
         background(scene.background, pictures),
@@ -75,8 +75,8 @@ struct World {
   Vec3d world_offset;  // world = rebased + world_offset
   ShapeTable<Real> shapes;
   ShapeTree<Real> tree;  // of `shapes`
-  MaterialTable<Real> materials;
   TextureTable<Real> textures;
+  MaterialTable<Real> materials;
   Lights<Real> lights;
   CameraKernel<Real> camera;
   BackgroundRadiance<Real> background;

@@ -15,6 +15,19 @@ TEST(Invariance, ThreadsDoNotChangeABit) {
   EXPECT_EQ(pixels_of(scene, {.threads = 16}), one);
 }
 
+// Tiles of every size, and generations cut into parts of every size, down to single samples.
+TEST(Invariance, TheCutOfTheWorkDoesNotChangeABit) {
+  const Scene scene = busy_scene();
+  const std::vector<double> usual = pixels_of(scene, {.threads = 1});
+  for (const int tile : {1, 7, 16, 64}) {
+    EXPECT_EQ(pixels_of(scene, {.threads = 2, .limits = {.tile_size = tile}}), usual) << tile;
+  }
+  for (const std::size_t rays : {std::size_t{1}, std::size_t{5}, std::size_t{100000}}) {
+    EXPECT_EQ(pixels_of(scene, {.limits = {.tile_size = 64, .generation_rays = rays}}), usual)
+        << rays;
+  }
+}
+
 TEST(Invariance, CropsPutTogetherAreTheWholePicture) {
   const Scene scene = busy_scene();
   const Picture whole = render_or_fail(scene).picture;

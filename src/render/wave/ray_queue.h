@@ -1,0 +1,87 @@
+// render/wave: rays in flight, structure of arrays, in the order that every stage keeps.
+//
+// Order is what makes a picture's bits independent of how work is cut: of one camera sample's rays
+// each stage handles them in queue order and appends in that order, so the sum into the sample is
+// the same whatever else shares the batch (docs/waves.md).
+#pragma once
+
+#include "render/wave/media.h"
+#include "render/wave/source_column.h"
+
+namespace alhazen::render {
+
+// The camera sample of a batch that a ray belongs to.
+using SlotId = std::uint32_t;
+
+template <class Real>
+class RayQueue {
+ public:
+  Vec3Column<Real> origin, direction;
+  SourceColumn<Real> source;
+  RgbColumn<Real> weight;  // of the radiance that comes along the ray, in the sample's
+  Column<SlotId> slot;
+  Column<MediumId> medium;       // what the ray starts in
+  Column<std::uint64_t> path;    // names the branch of the ray tree: seeds its random numbers
+  Column<std::uint32_t> depth;   // reflections and refractions so far
+  Column<std::uint32_t> passed;  // surfaces that the same line has come straight through
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  Ray<Real> ray(std::size_t i) const { return {origin[i], direction[i]}; }
+
+  void clear() {
+    size_ = 0;
+    source.clear();
+  }
+
+  void push(const Ray<Real>& ray, const Source& from, Rgb<Real> w, SlotId s, MediumId m,
+            std::uint64_t p, std::uint32_t d, std::uint32_t straight_through = 0) {
+    if (size_ == slot.room()) make_room(size_ + 1);
+    const std::size_t i = size_++;
+    origin.set(i, ray.origin);
+    direction.set(i, ray.direction);
+    source.set(i, from);
+    weight.set(i, w);
+    slot[i] = s;
+    medium[i] = m;
+    path[i] = p;
+    depth[i] = d;
+    passed[i] = straight_through;
+  }
+
+  // Becomes the rays order[0], order[1], ... order[count - 1] of `from`.
+  void take(const RayQueue& from, const std::uint32_t* order, std::size_t count) {
+    clear();
+    make_room(count);
+    size_ = count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = order[i];
+      origin.set(i, from.origin[k]);
+      direction.set(i, from.direction[k]);
+      source.copy(i, from.source, k);
+      weight.set(i, from.weight[k]);
+      slot[i] = from.slot[k];
+      medium[i] = from.medium[k];
+      path[i] = from.path[k];
+      depth[i] = from.depth[k];
+      passed[i] = from.passed[k];
+    }
+  }
+
+ private:
+  void make_room(std::size_t count) {
+    origin.make_room(count);
+    direction.make_room(count);
+    source.make_room(count);
+    weight.make_room(count);
+    slot.make_room(count);
+    medium.make_room(count);
+    path.make_room(count);
+    depth.make_room(count);
+    passed.make_room(count);
+  }
+
+  std::size_t size_ = 0;
+};
+
+}  // namespace alhazen::render

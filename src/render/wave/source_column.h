@@ -1,0 +1,61 @@
+// render/wave: where the rays of a queue start (accel/hit.h), in columns.
+#pragma once
+
+#include "render/accel/hit.h"
+#include "render/wave/column.h"
+
+namespace alhazen::render {
+
+// A ray that starts where several faces pass through one point remembers those it has met there.
+// Nearly none do: such memories are kept in a list, and a ray has a place in it.
+template <class Real>
+class SourceColumn {
+ public:
+  Column<LaneInt<Real>> shape, face, side;  // shape -1: from nowhere in particular
+  Vec3Column<Real> arrival;
+  Column<std::int32_t> memory;  // -1: none
+
+  Source operator[](std::size_t i) const {
+    Source source{static_cast<ShapeId>(shape[i]), static_cast<int>(face[i]),
+                  static_cast<Side>(side[i]), Vec3d(arrival[i])};
+    if (memory[i] >= 0) source.earlier = memories_[static_cast<std::size_t>(memory[i])];
+    return source;
+  }
+  void set(std::size_t i, const Source& source) {
+    shape[i] = static_cast<std::int32_t>(source.shape);
+    face[i] = source.face;
+    side[i] = static_cast<LaneInt<Real>>(source.side);
+    arrival.set(i, Vec3<Real>(source.arrival));  // was one: no rounding
+    memory[i] = -1;
+    if (source.earlier[0].shape != kNoId) remember(i, source.earlier);
+  }
+  // Entry i becomes a copy of entry k of `from`.
+  void copy(std::size_t i, const SourceColumn& from, std::size_t k) {
+    shape[i] = from.shape[k];
+    face[i] = from.face[k];
+    side[i] = from.side[k];
+    arrival.set(i, from.arrival[k]);
+    memory[i] = -1;
+    if (from.memory[k] >= 0) {
+      remember(i, from.memories_[static_cast<std::size_t>(from.memory[k])]);
+    }
+  }
+  void make_room(std::size_t count) {
+    shape.make_room(count);
+    face.make_room(count);
+    side.make_room(count);
+    arrival.make_room(count);
+    memory.make_room(count);
+  }
+  void clear() { memories_.clear(); }
+
+ private:
+  void remember(std::size_t i, const std::array<Touched, 4>& earlier) {
+    memory[i] = static_cast<std::int32_t>(memories_.size());
+    memories_.push_back(earlier);
+  }
+
+  std::vector<std::array<Touched, 4>> memories_;
+};
+
+}  // namespace alhazen::render
