@@ -25,12 +25,14 @@ std::array<double, 4> in_piece(const std::array<double, 4>& p, double start, dou
 }
 
 // The t in [0, 1] at which the integral of the cubic, positive inside, reaches `target`: Newton's
-// steps, and bisection where one would leave the bracket. Ends when t no longer changes.
+// steps, and bisection where one would leave the bracket. Ends when t no longer changes. The
+// quotients of cubic_integral() are taken once.
 double integral_inverted(const std::array<double, 4>& c, double target) {
+  const std::array<double, 4> antiderivative{c[0], c[1] / 2, c[2] / 3, c[3] / 4};
   double low = 0, high = 1;
-  double t = smaller(1.0, target / cubic_integral(c, 1));
+  double t = smaller(1.0, target / cubic_value(antiderivative, 1));
   for (;;) {
-    const double excess = cubic_integral(c, t) - target;
+    const double excess = cubic_value(antiderivative, t) * t - target;
     if (excess == 0) return t;
     (excess > 0 ? high : low) = t;
     double next = t - excess / cubic_value(c, t);
