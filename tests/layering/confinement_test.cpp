@@ -54,7 +54,9 @@ TEST(Confinement, OnlyTheCommandLineExits) {
 }
 
 TEST(Confinement, OnlySimdKnowsInstructionSets) {
-  expect_only_in("render/simd", R"(__(SSE|AVX|FMA|ARM_NEON)\w*|_mm\d*_\w+|__builtin_ia32)");
+  expect_only_in(
+      "render/simd",
+      R"(__(SSE|AVX|FMA|ARM_NEON)\w*|_mm\d*_\w+|__m(128|256|512|mask)\w*|__builtin_ia32)");
 }
 
 TEST(Confinement, NothingAllowsTheCompilerToChangeArithmetic) {
