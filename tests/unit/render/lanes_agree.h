@@ -8,7 +8,7 @@
 
 #include "core/math/random.h"
 #include "core/math/vec.h"
-#include "render/simd/elementary_by_lane.h"
+#include "render/simd/elementary.h"
 #include "render/simd/records.h"
 
 namespace alhazen::render {
