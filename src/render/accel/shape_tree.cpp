@@ -7,7 +7,7 @@
 #include "core/base/parallel.h"
 #include "render/accel/shape_hits.h"
 #include "render/accel/tree_build.h"
-#include "render/accel/tree_ray.h"
+#include "render/accel/tree_walk.h"
 
 namespace alhazen::render {
 namespace {
@@ -92,19 +92,23 @@ ShapeTree<Real>::ShapeTree(const ShapeTable<Real>& table, int threads) : table_(
   }
   outside_ = std::move(all.outside);
   if (all.inside == 0) return;
-  start_radius_ = all.start_radius;
-  near_reach_ = all.near_reach;
-  far_reach_ = all.far_reach;
-  units_ = units_per_length(Real(2) * start_radius_);  // a grown box may be twice as far away
+  // A grown box may be twice as far away.
+  frame_ = {all.start_radius,
+            all.near_reach,
+            all.far_reach,
+            units_per_length(Real(2) * all.start_radius),
+            {},
+            {}};
   std::vector<NumberedBox> boxes(all.inside);
   for_runs(threads, table.size(), [&](std::size_t k, ShapeId first, ShapeId last) {
     std::size_t place = inside_before[k];
     for (ShapeId id = first; id < last; ++id) {
       const auto bounds = useful_bounds(table, id);
       if (!bounds) continue;
-      const Real by = bounds->reach <= kCommonReach<Real> ? Real(0) : bounds->reach * start_radius_;
+      const Real by =
+          bounds->reach <= kCommonReach<Real> ? Real(0) : bounds->reach * frame_.start_radius;
       const Vec3<Real> margin{by, by, by};
-      boxes[place++] = {tree_box(bounds->min - margin, bounds->max + margin, units_), id};
+      boxes[place++] = {tree_box(bounds->min - margin, bounds->max + margin, frame_.units), id};
     }
   });
   if (boxes.size() == 1) {  // its kernel alone costs less
@@ -116,8 +120,8 @@ ShapeTree<Real>::ShapeTree(const ShapeTable<Real>& table, int threads) : table_(
   for (const NumberedBox& box : boxes)
     around.add(box.box);
   for (int axis = 0; axis < 3; ++axis) {
-    min_[axis] = static_cast<Real>(around.min(axis)) / units_;
-    max_[axis] = static_cast<Real>(around.max(axis)) / units_;
+    frame_.min[axis] = static_cast<Real>(around.min(axis)) / frame_.units;
+    frame_.max[axis] = static_cast<Real>(around.max(axis)) / frame_.units;
   }
   nodes_ = build_tree(std::move(boxes), threads);
 }
@@ -128,12 +132,6 @@ std::size_t ShapeTree<Real>::bytes() const {
 }
 
 template <class Real>
-Real ShapeTree<Real>::margin_of(Vec3<Real> origin) const {
-  const Real distance = largest_coordinate(origin);
-  return (distance <= start_radius_ ? near_reach_ : far_reach_) * distance;
-}
-
-template <class Real>
 template <class Consider>
 void ShapeTree<Real>::visit(const Ray<Real>& ray, const Source& source, Real from, const Real& to,
                             ShapeId ignored, const Consider& consider) const {
@@ -141,71 +139,19 @@ void ShapeTree<Real>::visit(const Ray<Real>& ray, const Source& source, Real fro
   const auto offer = [&](ShapeId id) {
     return id == source.shape || id == ignored || consider(id);
   };
-  const auto offer_all = [&] {
-    for (ShapeId id = 0; id < table_->size(); ++id) {
-      if (!offer(id)) return;
-    }
-  };
-  const Real speed = largest_coordinate(ray.direction);
-  if (!is_ordinary(speed) || !(largest_coordinate(ray.origin) <= largest_ordinary<Real>())) {
-    offer_all();
-    return;
-  }
   for (const ShapeId id : outside_) {
     if (!offer(id)) return;
   }
   if (nodes_.empty()) return;
-  const Real margin = margin_of(ray.origin);
-  const TreeSpan<Real> span = span_in(min_, max_, ray, margin, from, to);
-  if (span.near > span.far) return;
-  const Real blur = units_ * margin;
-  if (blur > Real(1)) {  // so far away that any box is as likely as another
-    offer_all();
-    return;
-  }
-  const Vec3<Real> origin = units_ * ray.at(span.near), d = ray.direction;
-  const TreeRay tree_ray(Vec3<float>(origin),
-                         {static_cast<float>(speed / d.x), static_cast<float>(speed / d.y),
-                          static_cast<float>(speed / d.z)},
-                         static_cast<float>(blur));
-  visit_nodes(tree_ray, TreeClock<Real>{span.near, speed * units_}, to, offer);
-}
-
-template <class Real>
-template <class Consider>
-void ShapeTree<Real>::visit_nodes(const TreeRay& ray, const TreeClock<Real>& clock, const Real& to,
-                                  const Consider& consider) const {
-  struct Waiting {
-    float near;
-    TreeChild child;
-  };
-  // Each node on the way down leaves at most all of its children but one.
-  std::array<Waiting, (kNodeWidth - 1) * kDeepestSplit + kNodeWidth> stack;
-  stack[0] = {0, TreeChild::node(0)};
-  std::size_t waiting = 1;
-  float end = clock.until(to);
-  while (waiting > 0) {
-    const Waiting next = stack[--waiting];
-    if (next.near > end) continue;
-    if (next.child.is_shape()) {
-      if (!consider(next.child.index())) return;
-      end = clock.until(to);
-      continue;
+  const Approach<Real> way = approach(frame_, ray, from, to);
+  if (way.lost) {
+    for (ShapeId id = 0; id < table_->size(); ++id) {
+      if (!offer(id)) return;
     }
-    const TreeNode& node = nodes_[next.child.index()];
-    const TreeRay::Met met = ray.meet(node, end);
-    std::array<float, kNodeWidth> near;
-    met.near.store(near.data());
-    const std::size_t bottom = waiting;
-    for_each_lane(met.mask, [&](int lane) {
-      // The nearest on top.
-      const auto k = static_cast<std::size_t>(lane);
-      std::size_t place = waiting++;
-      for (; place > bottom && stack[place - 1].near < near[k]; --place)
-        stack[place] = stack[place - 1];
-      stack[place] = {near[k], node.children[k]};
-    });
   }
+  if (!way.enters) return;
+  walk(std::span(nodes_), TreeChild::node(0), TreeRay(way.origin, way.inverse, way.blur), way.clock,
+       to, offer);
 }
 
 template <class Real>

@@ -4,10 +4,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/accel/hit.h"
-#include "render/accel/tree_ray.h"
+#include "render/accel/tree_approach.h"
 
 namespace alhazen::render {
 
@@ -19,8 +20,10 @@ class ShapeTree {
   explicit ShapeTree(const ShapeTable<Real>& table, int threads = 1);
 
   const ShapeTable<Real>& table() const { return *table_; }
-  // Shapes that every ray is tested against.
-  std::size_t outside() const { return outside_.size(); }
+  // Shapes that every ray is tested against, and what is met by way of the others.
+  std::span<const ShapeId> outside() const { return outside_; }
+  std::span<const TreeNode> nodes() const { return nodes_; }
+  const TreeFrame<Real>& frame() const { return frame_; }
   // Of the tree alone, without the table.
   std::size_t bytes() const;
 
@@ -31,19 +34,10 @@ class ShapeTree {
              const Consider& consider) const;
 
  private:
-  Real margin_of(Vec3<Real> origin) const;
-  template <class Consider>
-  void visit_nodes(const TreeRay& ray, const TreeClock<Real>& clock, const Real& to,
-                   const Consider& consider) const;
-
   const ShapeTable<Real>* table_;
   std::vector<TreeNode> nodes_;
   std::vector<ShapeId> outside_;  // planes, and what has no useful bounds
-  // The boxes hold the hits of rays that start no farther than start_radius_ from the origin in any
-  // coordinate if they are grown by near_reach_ |origin|; else by far_reach_ |origin|.
-  Real start_radius_ = 0, near_reach_ = 0, far_reach_ = 0;
-  Real units_ = 0;        // of the tree in a length of the scene
-  Vec3<Real> min_, max_;  // of all boxes
+  TreeFrame<Real> frame_;
 };
 
 extern template class ShapeTree<float>;

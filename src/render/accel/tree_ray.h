@@ -23,6 +23,38 @@
 
 namespace alhazen::render {
 
+// The numbers of the tree's own precision that go with a Real: a float, or as many lanes of it,
+// but at least the four that every machine has registers for.
+template <class Real>
+struct TreeNumber {
+  using Type = float;
+};
+template <class T, int W>
+struct TreeNumber<Lanes<T, W>> {
+  using Type = Lanes<float, (W < 4 ? 4 : W)>;
+};
+template <class Real>
+using TreeNumberOf = typename TreeNumber<Real>::Type;
+
+template <class Real>
+inline float to_tree(Real x) {
+  return static_cast<float>(x);
+}
+template <class T, int W>
+inline TreeNumberOf<Lanes<T, W>> to_tree(Lanes<T, W> x) {
+  using Float = TreeNumberOf<Lanes<T, W>>;
+  if constexpr (std::same_as<Float, Lanes<T, W>>) {
+    return x;
+  } else if constexpr (Float::kWidth == W) {
+    return Float(x);
+  } else {
+    std::array<float, static_cast<std::size_t>(Float::kWidth)> numbers{};
+    for (int i = 0; i < W; ++i)
+      numbers[static_cast<std::size_t>(i)] = static_cast<float>(x[i]);
+    return Float::load(numbers.data());
+  }
+}
+
 // A part of a line; empty where near > far.
 template <class Real>
 struct TreeSpan {
@@ -49,37 +81,54 @@ inline TreeSpan<Real> span_in(Vec3<Real> min, Vec3<Real> max, const Ray<Real>& r
   return span;
 }
 
-// Parameters of the shortened ray: t' = (t - start) * speed, rounded so that nothing is lost.
+// No way within the tree is longer: its largest coordinate is 1, as is the direction's.
+inline constexpr float kLongestWay = 4;
+// The reciprocal of a speed by which a ray moves by less than kNothing on the longest way.
+inline constexpr float kStandstill = 16 / kNothing;
+
+// Parameters of the shortened ray: t' = (t - start) * speed.
 template <class Real>
 struct TreeClock {
   Real start, speed;
 
-  // No shape is left out that is met at t or before.
-  float until(Real t) const {
-    const float end = static_cast<float>(smaller((t - start) * speed, Real(kLongest)));
-    return end + (8 * kTreeRoundoff * end + kNothing);
+  // Rounded so that no shape is left out that is met at t or before.
+  auto until(Real t) const {
+    const auto end = to_tree(smaller((t - start) * speed, Real(kLongestWay)));
+    using Float = std::remove_const_t<decltype(end)>;
+    return end + (Float(8 * kTreeRoundoff) * end + Float(kNothing));
   }
+};
 
- private:
-  // No way within the tree is longer: its largest coordinate is 1, as is the direction's.
-  static constexpr float kLongest = 4;
+// The origin moved back and forth along an axis, and the reciprocal of the direction.
+template <class Float>
+struct TreeAxis {
+  Float low_origin, high_origin;  // for the planes min and max
+  Float inverse;
+
+  // `blur` is the margin of the kernels.
+  TreeAxis(Float origin, Float reciprocal, Float blur) {
+    const Float by = blur + Float(16 * kTreeRoundoff) * (blur + absolute(origin)) + Float(kNothing);
+    low_origin = origin + by;
+    high_origin = origin - by;
+    // A ray that all but stands still: as fast as this it does not get anywhere.
+    inverse = select(absolute(reciprocal) <= Float(kStandstill), reciprocal, Float(kStandstill));
+  }
 };
 
 using NodeLanes = Lanes<float, static_cast<int>(kNodeWidth)>;
 
+// One ray and the boxes of a node in lanes.
 class TreeRay {
  public:
-  // Origin and direction in the units of the tree, the margin the kernels'.
-  TreeRay(Vec3<float> origin, Vec3<float> inverse, float margin) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float o = origin[static_cast<int>(axis)], i = inverse[static_cast<int>(axis)];
-      // An axis along which the ray all but stands still: as fast as this it does not get anywhere.
-      inverse_[axis] = absolute(i) <= kStandstill ? i : kStandstill;
-      const float by = margin + 16 * kTreeRoundoff * (margin + absolute(o)) + kNothing;
-      const bool backwards = inverse_[axis] < 0;
+  TreeRay(Vec3<float> origin, Vec3<float> reciprocal, float blur) {
+    for (int i = 0; i < 3; ++i) {
+      const TreeAxis<float> from(origin[i], reciprocal[i], blur);
+      const auto axis = static_cast<std::size_t>(i);
+      const bool backwards = from.inverse < 0;
+      inverse_[axis] = from.inverse;
       near_side_[axis] = backwards ? TreeNode::kMax : TreeNode::kMin;
-      near_origin_[axis] = backwards ? o - by : o + by;
-      far_origin_[axis] = backwards ? o + by : o - by;
+      near_origin_[axis] = backwards ? from.high_origin : from.low_origin;
+      far_origin_[axis] = backwards ? from.low_origin : from.high_origin;
     }
   }
 
@@ -101,9 +150,6 @@ class TreeRay {
   }
 
  private:
-  // The reciprocal of a speed by which a ray moves by less than kNothing on the longest way.
-  static constexpr float kStandstill = 16 / kNothing;
-
   std::array<float, 3> inverse_, near_origin_, far_origin_;
   std::array<std::size_t, 3> near_side_;
 };
