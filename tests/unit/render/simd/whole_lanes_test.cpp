@@ -198,7 +198,7 @@ template <class L>
 class OfRealLanes : public testing::Test {};
 using Reals = testing::Types<Lanes<float, 2>, Lanes<float, 4>, Lanes<float, 8>, Lanes<float, 16>,
                              Lanes<float, 32>, Lanes<double, 2>, Lanes<double, 4>, Lanes<double, 8>,
-                             Lanes<double, 16>, Lanes<Quad, 2>>;
+                             Lanes<double, 16>>;
 TYPED_TEST_SUITE(OfRealLanes, Reals);
 
 TYPED_TEST(OfRealLanes, HalvesJoinToTheWhole) {
