@@ -2,6 +2,7 @@
 // double or lanes of doubles; each lane gives the bits of a single number.
 #pragma once
 
+#include <concepts>
 #include <initializer_list>
 #include <limits>
 
@@ -57,6 +58,11 @@ template <class Real>
 inline DoubleWord<Real> turn_in_half_plane(DoubleWord<Real> y, DoubleWord<Real> x) {
   const MaskOf<Real> behind = x.hi < Real(0);
   const DoubleWord<Real> side = select(behind, -x, x);
+  if constexpr (std::same_as<MaskOf<Real>, bool>) {  // a branch costs one number less than choosing
+    const DoubleWord<Real> turn =
+        y.hi <= side.hi ? turn_in_octant(y, side) : -turn_in_octant(side, y) + Real(0.25);
+    return behind ? -turn + Real(0.5) : turn;
+  }
   const MaskOf<Real> steep = y.hi > side.hi;
   DoubleWord<Real> turn = turn_in_octant(select(steep, side, y), select(steep, y, side));
   if (any(steep)) turn = select(steep, -turn + Real(0.25), turn);
