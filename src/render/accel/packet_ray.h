@@ -67,6 +67,9 @@ class AllRays {
     }
   }
 
+  // Whether the rays have no direction in common.
+  bool scatter() const { return mixed_[0] && mixed_[1] && mixed_[2]; }
+
   struct Met {
     NodeLanes near;
     NodeLanes::Mask mask;

@@ -1,6 +1,8 @@
 // render/accel: lanes of rays through a tree.
 #pragma once
 
+#include <algorithm>
+
 #include "render/accel/lane_targets.h"
 #include "render/accel/packet_ray.h"
 #include "render/accel/shape_tree.h"
@@ -8,9 +10,10 @@
 
 namespace alhazen::render {
 
-// Rays that go on into a node alone where no more than one in so many of the packet's does
-// (measured: docs/acceleration.md).
+// Rays go on into a node alone where no more than one in so many of the packet's does; and from the
+// start if they scatter, in a tree of more nodes than a few. Measured: docs/acceleration.md.
 inline constexpr int kLonely = 4;
+inline constexpr std::size_t kFewNodes = 8;
 
 template <class L, class Query, class Targets>
 class PacketWalk {
@@ -107,6 +110,11 @@ class PacketWalk {
         stack[at] = {near[k], index, static_cast<std::uint32_t>(k)};
       });
     };
+    if (all.scatter() && nodes.size() > kFewNodes) {
+      const Mask lanes = Mask::from_bits((end >= Float(0)).bits());
+      for_each_lane(lanes, [&](int lane) { go_alone(nodes, TreeChild::node(0), way, lane); });
+      return;
+    }
     open(0);
     while (waiting > 0) {
       const Waiting next = stack[--waiting];
@@ -117,7 +125,7 @@ class PacketWalk {
       const TreeChild child = parent.children[next.place];
       if (child.is_shape()) {
         consider(child.index(), lanes);
-      } else if (kLonely * count(lanes) <= L::kWidth) {
+      } else if (count(lanes) <= std::max(1, L::kWidth / kLonely)) {
         for_each_lane(lanes, [&](int lane) { go_alone(nodes, child, way, lane); });
       } else {
         open(child.index());
