@@ -53,8 +53,8 @@ inline const Kernel<Real>& convert(const Kernel<Real>& kernel) {
 // gathered as what stands index * stride after the same number of the first kernel, which has to
 // be in the range of IntOf<L>.
 template <class L, template <class> class Kernel>
-inline Kernel<L> gathered(const Kernel<ScalarOf<L>>* first, const IntOf<L>& index,
-                          const MaskOf<L>& which) {
+inline Kernel<L> gathered_kernel(const Kernel<ScalarOf<L>>* first, const IntOf<L>& index,
+                                 const MaskOf<L>& which) {
   using Number = ScalarOf<L>;
   constexpr std::size_t kSize = sizeof(Kernel<Number>), kStride = kSize / sizeof(Number);
   static_assert(kStride * sizeof(Number) == kSize);

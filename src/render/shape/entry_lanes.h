@@ -47,7 +47,7 @@ struct EntryLanes {
       const Mask same = left && kind == Int(first);
       arrays.visit(static_cast<Kind>(first), [&]<template <class> class Kernel, class Real>(
                                                  const std::vector<Kernel<Real>>& kernels) {
-        visit(gathered<L, Kernel>(kernels.data(), index, same), same);
+        visit(gathered_kernel<L, Kernel>(kernels.data(), index, same), same);
       });
       left = left && !same;
     }

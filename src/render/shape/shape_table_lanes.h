@@ -15,8 +15,8 @@ CrossingPair<L> ShapeTable<Real>::own_crossings(const IntOf<L>& shape, const Ray
   const EntryLanes<L> entries(entries_, shape, active);
   Ray<L> own = ray;
   if (any(entries.in_object_frame)) {
-    const auto place =
-        gathered<L, Placement>(placements_.data(), entries.placement, entries.in_object_frame);
+    const auto place = gathered_kernel<L, Placement>(placements_.data(), entries.placement,
+                                                     entries.in_object_frame);
     own = select(entries.in_object_frame, place.in_object(ray), ray);
   }
   CrossingPair<L> result;
@@ -67,7 +67,8 @@ SurfacePoint<L> ShapeTable<Real>::surface_of_each(const IntOf<L>& shape, const R
     return {points, points.position + Vec3<L>(world_origin_)};
   }
   const MaskOf<L> mapped = entries.in_object_frame;
-  const auto place = gathered<L, Placement>(placements_.data(), entries.placement, entries.placed);
+  const auto place =
+      gathered_kernel<L, Placement>(placements_.data(), entries.placement, entries.placed);
   const Surface<L> points = on_kernels(select(mapped, place.in_object(ray), ray));
   const SurfacePoint<L> there{points,
                               select(entries.placed, place.object_from_world.point(points.position),

@@ -87,6 +87,11 @@ class IndexList {
   void make_room(std::size_t count) { indices_.make_room(count); }
   // Precondition: there is room.
   void push(std::size_t index) { indices_[size_++] = static_cast<Index>(index); }
+  // The lanes of the mask, in their order. Precondition: there is room.
+  template <class Lanes>
+  void append(const Lanes& indices, typename Lanes::Mask which) {
+    size_ += static_cast<std::size_t>(indices.store_compressed(which, indices_.data() + size_));
+  }
 
  private:
   Column<Index> indices_;

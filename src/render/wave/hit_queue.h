@@ -3,8 +3,7 @@
 #pragma once
 
 #include "core/scene/material.h"
-#include "render/accel/hit.h"
-#include "render/surface/texture_point.h"
+#include "render/accel/hit_lanes.h"
 #include "render/wave/column.h"
 
 namespace alhazen::render {
@@ -45,10 +44,12 @@ class HitQueue {
   Column<LaneInt<Real>> material;
   std::vector<PassedFaces> passed;  // by hit; few have any, and only where rays pass through things
   Vec3Column<Real> position;        // on the surface, world frame of the renderer
-  Vec3Column<Real> geometric_normal;         // outward, unit
-  Vec3Column<Real> shading_normal;           // unit, on the side that the ray came from
-  Column<TexturePoint<Real>> texture_point;  // only where the plan has textures
-  RgbColumn<Real> color;                     // albedo or reflectance, of materials that have one
+  Vec3Column<Real> geometric_normal;  // outward, unit
+  Vec3Column<Real> shading_normal;    // unit, on the side that the ray came from
+  // Only where the plan has textures.
+  Vec3Column<Real> object_position;  // in the shape's object frame
+  Column<Real> u, v;                 // of its parametrisation
+  RgbColumn<Real> color;             // albedo or reflectance, of materials that have one
 
   std::size_t size() const { return size_; }
   void clear() {
@@ -65,11 +66,26 @@ class HitQueue {
     shading_normal.make_room(count);
     color.make_room(count);
   }
-  // Precondition: there is room.
-  void push(std::size_t r, const Hit<Real>& what, MaterialId m) {
+  void make_room_for_coordinates() {
+    object_position.make_room(size_);
+    u.make_room(size_);
+    v.make_room(size_);
+  }
+  // What ray r met; its material is for the caller to set. Precondition: there is room.
+  void push(std::size_t r, const Hit<Real>& what) {
     ray[size_] = static_cast<LaneInt<Real>>(r);
-    hit.set(size_, what);
-    material[size_++] = static_cast<LaneInt<Real>>(m);
+    hit.set(size_++, what);
+  }
+  // The same of the lanes of the mask, in their order.
+  template <class L>
+  void append(const IntOf<L>& rays, const HitLanes<L>& what, MaskOf<L> which) {
+    rays.store_compressed(which, ray.data() + size_);
+    what.t.store_compressed(which, hit.t.data() + size_);
+    what.shape.store_compressed(which, hit.shape.data() + size_);
+    what.face.store_compressed(which, hit.face.data() + size_);
+    select(what.enters, IntOf<L>(1), IntOf<L>(0))
+        .store_compressed(which, hit.enters.data() + size_);
+    size_ += static_cast<std::size_t>(count(which));
   }
   std::size_t ray_of(std::size_t h) const { return static_cast<std::size_t>(ray[h]); }
   MaterialId material_of(std::size_t h) const { return static_cast<MaterialId>(material[h]); }

@@ -7,6 +7,7 @@
 
 #include "core/scene/live.h"
 #include "core/scene/scene.h"
+#include "render/simd/records.h"
 #include "render/surface/coat.h"
 #include "render/surface/highlight.h"
 #include "render/surface/pov_finish.h"
@@ -67,6 +68,15 @@ class MaterialTable {
   }
 
   const MaterialRecord<Real>& operator[](MaterialId id) const { return records_[id]; }
+  // The same member of the records of several materials, which is a record of
+  // numbers.
+  template <class L, template <class> class Record>
+  Record<L> records_of(Record<Real> MaterialRecord<Real>::*member, const IntOf<L>& id,
+                       MaskOf<L> active) const {
+    static_assert(sizeof(MaterialRecord<Real>) % sizeof(Real) == 0);
+    constexpr auto kStride = static_cast<int>(sizeof(MaterialRecord<Real>) / sizeof(Real));
+    return gathered<L, Record>(&(records_.data()->*member), id, active, kStride);
+  }
   const MaterialRoute& route(MaterialId id) const { return routes_[id]; }
   const std::vector<int>& priorities() const { return priorities_; }
 

@@ -22,18 +22,16 @@ class ShadowQueue {
     size_ = 0;
     source.clear();
   }
-  void push(const Ray<Real>& ray, const Source& from, Real dist, ShapeId lamp, Rgb<Real> l,
-            SlotId s, MediumId m) {
-    if (size_ == slot.room()) make_room(size_ + 1);
-    const std::size_t i = size_++;
-    origin.set(i, ray.origin);
-    direction.set(i, ray.direction);
-    source.set(i, from);
-    distance[i] = dist;
-    light_shape[i] = static_cast<std::int32_t>(lamp);
-    radiance.set(i, l);
-    slot[i] = s;
-    medium[i] = m;
+  // The paths of several lanes, in their order. Their sources, lamps, samples
+  // and media are for the caller to set.
+  template <class L>
+  void append(MaskOf<L> which, const Ray<L>& ray, const L& dist, const Rgb<L>& l) {
+    make_room(size_ + L::kWidth);
+    store_lanes(which, ray.origin, origin, size_);
+    store_lanes(which, ray.direction, direction, size_);
+    dist.store_compressed(which, distance.data() + size_);
+    store_lanes(which, l, radiance, size_);
+    size_ += static_cast<std::size_t>(count(which));
   }
 
  private:

@@ -1,6 +1,7 @@
 // render/wave: the camera samples of a batch: which they are, and what their rays have added up to.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -17,10 +18,10 @@ struct SlotWants {
 
 template <class Real>
 struct Slots {
-  std::vector<std::int32_t> x, y;        // the pixel, in the frame
-  std::vector<std::uint32_t> sample;     // its number within the pixel
-  std::vector<Real> offset_x, offset_y;  // of its ray from the pixel's centre, in pixels
-  std::vector<std::uint8_t> negative;    // whether the reconstruction filter is, at that place
+  std::vector<std::int32_t> x, y;      // the pixel, in the frame
+  std::vector<std::uint32_t> sample;   // its number within the pixel
+  Column<Real> offset_x, offset_y;     // of its ray from the pixel's centre, in pixels
+  std::vector<std::uint8_t> negative;  // whether the reconstruction filter is, at that place
   std::vector<Rgb<Real>> radiance;
   std::vector<std::uint32_t> rays;          // traced for it, of all kinds
   std::vector<Rgb<Real>> dropped;           // weight of children that were cut
@@ -31,13 +32,14 @@ struct Slots {
   std::vector<Real> margin;
 
   std::size_t size() const { return x.size(); }
-  FilmPoint<Real> film_point(std::size_t s) const { return {x[s], y[s], offset_x[s], offset_y[s]}; }
   void resize(std::size_t count, const SlotWants& wants) {
     x.resize(count);
     y.resize(count);
     sample.resize(count);
-    offset_x.assign(count, Real(0));
-    offset_y.assign(count, Real(0));
+    offset_x.make_room(count);
+    offset_y.make_room(count);
+    std::fill_n(offset_x.data(), count, Real(0));
+    std::fill_n(offset_y.data(), count, Real(0));
     negative.assign(count, 0);
     radiance.assign(count, {});
     rays.assign(count, 0);

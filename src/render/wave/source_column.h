@@ -1,8 +1,8 @@
 // render/wave: where the rays of a queue start (accel/hit.h), in columns.
 #pragma once
 
-#include "render/accel/hit.h"
-#include "render/wave/column.h"
+#include "render/accel/hit_lanes.h"
+#include "render/wave/entries.h"
 
 namespace alhazen::render {
 
@@ -21,6 +21,11 @@ class SourceColumn {
     if (memory[i] >= 0) source.earlier = memories_[static_cast<std::size_t>(memory[i])];
     return source;
   }
+  // Of several entries, without what they remember.
+  template <class L>
+  DepartureLanes<L> departures(const Entries<L>& at) const {
+    return {at.of(shape), at.of(face), at.of(side)};
+  }
   void set(std::size_t i, const Source& source) {
     shape[i] = static_cast<std::int32_t>(source.shape);
     face[i] = source.face;
@@ -28,6 +33,17 @@ class SourceColumn {
     arrival.set(i, Vec3<Real>(source.arrival));  // was one: no rounding
     memory[i] = -1;
     if (source.earlier[0].shape != kNoId) remember(i, source.earlier);
+  }
+  // The lanes of the mask become the entries from `i` on; they remember
+  // nothing.
+  template <class L>
+  void store(std::size_t i, MaskOf<L> which, const IntOf<L>& shapes, const IntOf<L>& faces,
+             const IntOf<L>& sides, const Vec3<L>& came) {
+    shapes.store_compressed(which, shape.data() + i);
+    faces.store_compressed(which, face.data() + i);
+    sides.store_compressed(which, side.data() + i);
+    store_lanes(which, came, arrival, i);
+    std::fill_n(memory.data() + i, count(which), -1);
   }
   // Entry i becomes a copy of entry k of `from`.
   void copy(std::size_t i, const SourceColumn& from, std::size_t k) {

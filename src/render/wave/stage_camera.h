@@ -31,32 +31,51 @@ void place_by_filter(Wave<Real>& wave) {
   }
 }
 
-template <class Real>
-void push_camera_ray(Wave<Real>& wave, SlotId slot, const Ray<Real>& ray, std::uint64_t path) {
-  ++wave.slots.rays[slot];
-  wave.rays.push(ray, {}, Rgb<Real>(Real(1)), slot, kVacuum, path, 0);
+// Queues the rays that `make_ray` gives for the film points of several slots at once.
+template <class Real, class MakeRay>
+void push_camera_rays(Wave<Real>& wave, const MakeRay& make_ray) {
+  using L = Wide<Real>;
+  Slots<Real>& slots = wave.slots;
+  for_lanes<L>(slots.size(), [&](const Entries<L>& at) {
+    const auto whole = [&](const std::vector<std::int32_t>& numbers) {
+      return per_lane<IntOf<L>>(at.active(), 0, [&](int k) { return numbers[at[k]]; });
+    };
+    const FilmPoint<L> film{whole(slots.x), whole(slots.y), at.of(slots.offset_x),
+                            at.of(slots.offset_y)};
+    const CameraRay<L> ray = make_ray(film, at);
+    const Vectors<L> origin(ray.origin), direction(ray.direction);
+    for_each_lane(at.active(), [&](int k) {
+      const std::size_t s = at[k];
+      ++slots.rays[s];
+      wave.rays.push({origin[k], direction[k]}, {}, Rgb<Real>(Real(1)), static_cast<SlotId>(s),
+                     kVacuum, pixel_seed(wave.world.seed, slots.x[s], slots.y[s]), 0);
+    });
+  });
 }
 
 template <class Real>
 void start_camera_rays(Wave<Real>& wave) {
-  const Slots<Real>& slots = wave.slots;
-  for (std::size_t s = 0; s < slots.size(); ++s) {
-    const CameraRay<Real> ray = wave.world.camera.ray(slots.film_point(s), Real(0), Real(0));
-    push_camera_ray(wave, static_cast<SlotId>(s), {ray.origin, ray.direction},
-                    pixel_seed(wave.world.seed, slots.x[s], slots.y[s]));
-  }
+  using L = Wide<Real>;
+  push_camera_rays(wave, [&](const FilmPoint<L>& film, const Entries<L>&) {
+    return wave.world.camera.template ray<L>(film, L(0), L(0));
+  });
 }
 
 template <class Real>
 void start_lens_rays(Wave<Real>& wave) {
+  using L = Wide<Real>;
   const Slots<Real>& slots = wave.slots;
-  for (std::size_t s = 0; s < slots.size(); ++s) {
-    const std::uint64_t path = pixel_seed(wave.world.seed, slots.x[s], slots.y[s]);
-    const Sample2d lens = sample_2d(mix_64(path, kLensDimension), slots.sample[s]);
-    const CameraRay<Real> ray = wave.world.camera.ray(slots.film_point(s), unit_real<Real>(lens.x),
-                                                      unit_real<Real>(lens.y));
-    push_camera_ray(wave, static_cast<SlotId>(s), {ray.origin, ray.direction}, path);
-  }
+  push_camera_rays(wave, [&](const FilmPoint<L>& film, const Entries<L>& at) {
+    Real u[L::kWidth] = {}, v[L::kWidth] = {};
+    for_each_lane(at.active(), [&](int k) {
+      const std::size_t s = at[k];
+      const std::uint64_t path = pixel_seed(wave.world.seed, slots.x[s], slots.y[s]);
+      const Sample2d lens = sample_2d(mix_64(path, kLensDimension), slots.sample[s]);
+      u[k] = unit_real<Real>(lens.x);
+      v[k] = unit_real<Real>(lens.y);
+    });
+    return wave.world.camera.template ray<L>(film, L::load(u), L::load(v));
+  });
 }
 
 // Solids that hold a ray's origin count as entered in the order of the scene: of those of equal

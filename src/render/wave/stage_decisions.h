@@ -33,7 +33,9 @@ std::optional<Real> refraction_at(Wave<Real>& wave, std::size_t h) {
   if (!wave.world.thin[hit.shape]) here = before_surface(wave.media, here, id, hit.enters);
   const Passage<Real> passage = cross_shape(wave.world, wave.media, here, hit.shape, hit.enters);
   const Real eta = passage.ior_here / passage.ior_behind;
-  return cos_transmitted_squared(incident_cosine(wave, h), eta) / larger(Real(1), eta * eta);
+  const Real cosine = -dot(wave.rays.direction[wave.hits.ray_of(h)], wave.hits.shading_normal[h]);
+  const Real kept = larger(Real(0), smaller(Real(1), cosine));
+  return cos_transmitted_squared(kept, eta) / larger(Real(1), eta * eta);
 }
 
 template <class Real>
@@ -75,6 +77,19 @@ struct LightQuestion {
   bool casts_shadows;
 };
 
+// Calls `visit(h, sample, k)` with sample k of an area light at each of the hits.
+template <template <class> class View, class Real, class Placed, class Visitor>
+void visit_area(const Wave<Real>& wave, const typename Wave<Real>::List& hits, const Placed& light,
+                const Visitor& visit) {
+  for (const std::size_t h : hits) {
+    const View<Real> view(light.kernel, wave.hits.position[h]);
+    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(light.kernel.samples); ++k) {
+      const Sample2d bits = area_sample(wave, light, h, k);
+      visit(h, view.sample(unit_real<Real>(bits.x), unit_real<Real>(bits.y)), k);
+    }
+  }
+}
+
 // Calls `visit` with every question that the lights ask of this generation's hits.
 template <class Real, class Visitor>
 void for_each_light_question(const Wave<Real>& wave, const Visitor& visit) {
@@ -103,9 +118,9 @@ void for_each_light_question(const Wave<Real>& wave, const Visitor& visit) {
         ask(h, light.kernel.sample(), 0, light);
     }
     for (const auto& light : lights.spheres)
-      visit_area<SphereLightView<Real>>(wave, *hits, light, of_light(light));
+      visit_area<SphereLightView>(wave, *hits, light, of_light(light));
     for (const auto& light : lights.rectangles)
-      visit_area<RectangleLightView<Real>>(wave, *hits, light, of_light(light));
+      visit_area<RectangleLightView>(wave, *hits, light, of_light(light));
   }
 }
 

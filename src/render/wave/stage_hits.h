@@ -1,64 +1,79 @@
 // render/wave: the stages that find what rays meet and where, and what they lose on the way.
 #pragma once
 
+#include "render/accel/shape_tree_lanes.h"
 #include "render/surface/absorption.h"
 #include "render/wave/passage.h"
 #include "render/wave/wave.h"
 
 namespace alhazen::render {
 
-template <class Real>
-void keep_hit(Wave<Real>& wave, std::size_t ray, const std::optional<Hit<Real>>& hit) {
-  if (hit) {
-    wave.hits.push(ray, *hit, wave.world.material_of[hit->shape]);
-  } else {
-    wave.escaped.push(ray);
-  }
+// What several rays of the generation meet first.
+template <class L>
+HitLanes<L> first_hits(const Wave<ScalarOf<L>>& wave, const Entries<L>& at) {
+  const auto& rays = wave.rays;
+  return closest_hits(
+      wave.world.tree, Ray<L>{at.of(rays.origin), at.of(rays.direction)},
+      rays.source.departures(at), [&](int lane) { return rays.source[at[lane]]; }, L(infinity<L>()),
+      IntOf<L>(-1), at.active());
 }
 
 // Splits the generation into hits, sorted into the lists of their surface's kind, and escaped rays.
 template <class Real>
 void find_closest_hits(Wave<Real>& wave) {
-  for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-    keep_hit(wave, i,
-             closest_hit(wave.world.tree, wave.rays.ray(i), wave.rays.source[i], infinity<Real>()));
-  }
+  using L = Wide<Real>;
+  for_lanes<L>(wave.rays.size(), [&](const Entries<L>& at) {
+    const HitLanes<L> hits = first_hits(wave, at);
+    wave.hits.append(at.index(), hits, at.active() && hits.found);
+    wave.escaped.append(at.index(), at.active() && !hits.found);
+  });
   wave.sort_hits();
 }
 
+// Goes on from `hit`, past what is no interface, and keeps what the ray meets then. Each crossing
+// of the line is visited once, in order, so this ends however many solids share a face.
+template <class Real>
+void keep_interface(Wave<Real>& wave, std::size_t i, std::optional<Hit<Real>> hit) {
+  const World<Real>& world = wave.world;
+  MediumId& medium = wave.rays.medium[i];
+  Source passed;  // remembers the faces passed at one point
+  Real passed_at = -1;
+  while (hit) {
+    const MaterialId material = world.material_of[hit->shape];
+    const MaterialRoute& route = world.materials.route(material);
+    const bool is_glass = route.kind == SurfaceKind::glass;
+    if (!is_glass && !(route.pov_clear && !world.thin[hit->shape])) break;
+    medium = before_surface(wave.media, medium, material, hit->enters);
+    if (!is_glass) break;  // its colour counts, whatever the media
+    const Passage<Real> passage = cross_surface(world, wave.media, medium, material, hit->enters);
+    if (passage.is_interface) break;
+    medium = passage.behind;
+    if (hit->t != passed_at) passed = {};
+    passed_at = hit->t;
+    passed.remember({hit->shape, hit->face, hit->enters ? Side::kBelow : Side::kAbove});
+    hit = next_hit(world.tree, wave.rays.ray(i), wave.rays.source[i], *hit, infinity<Real>());
+  }
+  if (!hit) {
+    wave.escaped.push(i);
+    return;
+  }
+  if (hit->t == passed_at) {
+    wave.hits.passed.push_back({static_cast<std::uint32_t>(wave.hits.size()), passed.earlier});
+  }
+  wave.hits.push(i, *hit);
+}
+
 // The same where there is glass: a surface with the same medium on both sides is no interface, so
-// the ray goes on along its line, and only its list of media changes. Each crossing of the line is
-// visited once, in order, so this ends however many solids share a face.
+// the ray goes on along its line, and only its list of media changes.
 template <class Real>
 void find_interfaces(Wave<Real>& wave) {
-  const World<Real>& world = wave.world;
-  for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-    const Ray<Real> ray = wave.rays.ray(i);
-    const Source source = wave.rays.source[i];
-    MediumId& medium = wave.rays.medium[i];
-    Source passed;  // remembers the faces passed at one point
-    Real passed_at = -1;
-    auto hit = closest_hit(world.tree, ray, source, infinity<Real>());
-    while (hit) {
-      const MaterialId material = world.material_of[hit->shape];
-      const MaterialRecord<Real>& record = world.materials[material];
-      const bool is_glass = record.kind == SurfaceKind::glass;
-      if (!is_glass && !(record.pov_clear && !world.thin[hit->shape])) break;
-      medium = before_surface(wave.media, medium, material, hit->enters);
-      if (!is_glass) break;  // its colour counts, whatever the media
-      const Passage<Real> passage = cross_surface(world, wave.media, medium, material, hit->enters);
-      if (passage.is_interface) break;
-      medium = passage.behind;
-      if (hit->t != passed_at) passed = {};
-      passed_at = hit->t;
-      passed.remember({hit->shape, hit->face, hit->enters ? Side::kBelow : Side::kAbove});
-      hit = next_hit(world.tree, ray, source, *hit, infinity<Real>());
-    }
-    if (hit && hit->t == passed_at) {
-      wave.hits.passed.push_back({static_cast<std::uint32_t>(wave.hits.size()), passed.earlier});
-    }
-    keep_hit(wave, i, hit);
-  }
+  using L = Wide<Real>;
+  for_lanes<L>(wave.rays.size(), [&](const Entries<L>& at) {
+    const HitLanes<L> first = first_hits(wave, at);
+    for_each_lane(at.active(), [&](int k) {
+      keep_interface(wave, at[k], first.found[k] ? std::optional(first[k]) : std::nullopt);
+    });
+  });
   wave.sort_hits();
 }
 
@@ -78,66 +93,109 @@ void absorb(Wave<Real>& wave) {
     lose(i, infinity<Real>());
 }
 
+// Sums into samples stay in the order of the queue: lanes may belong to one sample.
 template <class Real, class Radiance>
 void add_where_nothing_is(Wave<Real>& wave, const Radiance& radiance) {
-  for (const std::size_t i : wave.escaped) {
-    if (wave.world.transparent_background && wave.rays.source.shape[i] < 0) continue;
-    wave.add(i, radiance(wave.rays.direction[i]));
-  }
+  using L = Wide<Real>;
+  for_lanes<L>(wave.escaped, [&](const Entries<L>& rays) {
+    MaskOf<L> seen = rays.active();
+    if (wave.world.transparent_background) {
+      seen = seen && rays.of(wave.rays.source.shape) != IntOf<L>(-1);
+    }
+    wave.add(rays, seen, radiance(rays.of(wave.rays.direction)));
+  });
 }
 
 template <class Real>
 void add_background(Wave<Real>& wave) {
   const auto& background = wave.world.background;
-  add_where_nothing_is(wave, [&](Vec3<Real> d) { return background.plain(d); });
+  add_where_nothing_is(
+      wave, [&](const Vec3<Wide<Real>>& d) { return background.template plain<Wide<Real>>(d); });
 }
 
 template <class Real>
 void add_environment(Wave<Real>& wave) {
   const auto& background = wave.world.background;
-  add_where_nothing_is(wave, [&](Vec3<Real> d) { return background.picture(d); });
+  add_where_nothing_is(
+      wave, [&](const Vec3<Wide<Real>>& d) { return background.template picture<Wide<Real>>(d); });
+}
+
+// Of several hits, those whose colour is a texture.
+template <class L>
+MaskOf<L> textured(const Wave<ScalarOf<L>>& wave, const Entries<L>& hits) {
+  std::uint32_t bits = 0;
+  for_each_lane(hits.active(), [&](int k) {
+    const bool is = wave.world.materials[wave.hits.material_of(hits[k])].textured;
+    bits |= (is ? 1U : 0U) << k;
+  });
+  return MaskOf<L>::from_bits(bits);
+}
+
+template <class L>
+Rgb<L> solid_colors_of(const Wave<ScalarOf<L>>& wave, const Entries<L>& hits) {
+  return wave.world.materials.template records_of<L>(&MaterialRecord<ScalarOf<L>>::solid_color,
+                                                     hits.of(wave.hits.material), hits.active());
 }
 
 // Position and normals, and where the colour is a texture the coordinates that it asks for. The
 // shading normal is turned to the side that the ray came from.
 template <class Real, bool with_coordinates>
 void find_surfaces(Wave<Real>& wave) {
+  using L = Wide<Real>;
   auto& hits = wave.hits;
-  if constexpr (with_coordinates) hits.texture_point.make_room(hits.size());
-  const ShapeTable<Real>& shapes = wave.world.shapes;
-  for (std::size_t h = 0; h < hits.size(); ++h) {
-    const Hit<Real> hit = hits.hit[h];
-    const Ray<Real> ray = wave.rays.ray(hits.ray_of(h));
-    const bool textured = with_coordinates && wave.world.materials[hits.material_of(h)].textured;
-    const SurfacePoint<Real> point = textured
-                                         ? shapes.surface(hit.shape, ray, hit.crossing())
-                                         : shapes.plain_surface(hit.shape, ray, hit.crossing());
-    hits.position.set(h, point.position);
-    hits.geometric_normal.set(h, point.normal);
-    hits.shading_normal.set(h, hit.enters ? point.shading_normal : -point.shading_normal);
-    if (textured) {
-      hits.texture_point[h] = {point.object_position, point.position, point.u, point.v};
+  if constexpr (with_coordinates) hits.make_room_for_coordinates();
+  for_lanes<L>(hits.size(), [&](const Entries<L>& at) {
+    const Entries<L> rays(at.of(hits.ray), at.active());
+    const Ray<L> ray{rays.of(wave.rays.origin), rays.of(wave.rays.direction)};
+    const IntOf<L> shape = at.of(hits.hit.shape);
+    const MaskOf<L> enters = at.of(hits.hit.enters) != IntOf<L>(0);
+    const Crossing<L> crossing{at.of(hits.hit.t), at.of(hits.hit.face), enters};
+    SurfacePoint<L> point;
+    if constexpr (with_coordinates) {
+      const MaskOf<L> asks = textured(wave, at);
+      const MaskOf<L> others = at.active() && !asks;
+      if (any(asks)) point = wave.world.shapes.template surface<L>(shape, ray, crossing, asks);
+      if (any(others)) {
+        point = select(asks, point,
+                       wave.world.shapes.template plain_surface<L>(shape, ray, crossing, others));
+      }
+      at.store(point.object_position, hits.object_position);
+      at.store(point.u, hits.u);
+      at.store(point.v, hits.v);
+    } else {
+      point = wave.world.shapes.template plain_surface<L>(shape, ray, crossing, at.active());
     }
-  }
+    at.store(point.position, hits.position);
+    at.store(point.normal, hits.geometric_normal);
+    at.store(select(enters, point.shading_normal, -point.shading_normal), hits.shading_normal);
+  });
 }
 
+// A pattern is met by the first of these stages only where nobody asks for its colour.
 template <class Real>
 void find_plain_colors(Wave<Real>& wave) {
-  auto& hits = wave.hits;
-  // A pattern is met here only where nobody asks for its colour.
-  for (std::size_t h = 0; h < hits.size(); ++h)
-    hits.color.set(h, wave.world.materials[hits.material_of(h)].solid_color);
+  using L = Wide<Real>;
+  for_lanes<L>(wave.hits.size(),
+               [&](const Entries<L>& at) { at.store(solid_colors_of(wave, at), wave.hits.color); });
 }
 
 template <class Real>
 void find_textured_colors(Wave<Real>& wave) {
+  using L = Wide<Real>;
   auto& hits = wave.hits;
-  for (std::size_t h = 0; h < hits.size(); ++h) {
-    const MaterialRecord<Real>& material = wave.world.materials[hits.material_of(h)];
-    hits.color.set(h, material.textured
-                          ? wave.world.textures.color(material.color, hits.texture_point[h])
-                          : material.solid_color);
-  }
+  for_lanes<L>(hits.size(), [&](const Entries<L>& at) {
+    Rgb<L> color = solid_colors_of(wave, at);
+    const MaskOf<L> asks = textured(wave, at);
+    if (any(asks)) {
+      const IntOf<L> texture = per_lane<IntOf<L>>(asks, 0, [&](int k) {
+        return static_cast<LaneInt<Real>>(wave.world.materials[hits.material_of(at[k])].color);
+      });
+      const TexturePoint<L> point{at.of(hits.object_position), at.of(hits.position), at.of(hits.u),
+                                  at.of(hits.v)};
+      color = select(asks, wave.world.textures.template color<L>(texture, point, asks), color);
+    }
+    at.store(color, hits.color);
+  });
 }
 
 template <class Real>

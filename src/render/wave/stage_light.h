@@ -4,182 +4,239 @@
 #pragma once
 
 #include "core/math/random.h"
-#include "render/wave/wave.h"
+#include "render/wave/meeting.h"
 
 namespace alhazen::render {
 
-// One light seen from one point of a surface that faces it.
-template <class Real>
+// One light seen from points of surfaces that face it.
+template <class L>
 struct Illumination {
-  Vec3<Real> normal, to_view;
-  LightSample<Real> light;
-  Real cosine;  // of the light with the normal, > 0
+  Vec3<L> normal, to_view;
+  LightSample<L> light;
+  L cosine;  // of the light with the normal, > 0
   bool casts_shadows;
+};
+
+// The surfaces at several hits, where `active`.
+template <class L>
+struct LitSurfaces {
+  LitSurfaces(const Wave<ScalarOf<L>>& wave, const Entries<L>& hits, MaskOf<L> which)
+      : materials(wave.world.materials),
+        material(hits.of(wave.hits.material)),
+        active(which),
+        color(hits.of(wave.hits.color)) {}
+
+  template <class Member>
+  auto records(Member member) const {
+    return materials.template records_of<L>(member, material, active);
+  }
+
+  const MaterialTable<ScalarOf<L>>& materials;
+  IntOf<L> material;
+  MaskOf<L> active;
+  Rgb<L> color;
 };
 
 // How a kind of surface answers to light: scattered() is the radiance that it adds; even_sky() what
 // radiance 1 from everywhere adds.
-template <class Real>
+template <class L>
 struct MatteResponse {
-  static const typename Wave<Real>::List& hits(const Wave<Real>& wave) {
-    return wave.of(SurfaceKind::matte);
+  static constexpr SurfaceKind kKind = SurfaceKind::matte;
+  static Rgb<L> scattered(const LitSurfaces<L>& surface, const Illumination<L>& at) {
+    return at.cosine * at.light.weight * (surface.color / pi<L>());
   }
-  static Rgb<Real> scattered(const MaterialRecord<Real>&, Rgb<Real> color,
-                             const Illumination<Real>& at) {
-    return at.cosine * at.light.weight * (color / pi<Real>());
-  }
-  static Rgb<Real> even_sky(const MaterialRecord<Real>&, Rgb<Real> color, Real) { return color; }
+  static Rgb<L> even_sky(const LitSurfaces<L>& surface, const L&) { return surface.color; }
 };
 
-template <class Real>
+template <class L>
 struct GlossyResponse {
-  static const typename Wave<Real>::List& hits(const Wave<Real>& wave) {
-    return wave.of(SurfaceKind::glossy);
-  }
-  static Rgb<Real> scattered(const MaterialRecord<Real>& material, Rgb<Real> color,
-                             const Illumination<Real>& at) {
-    const Rgb<Real> value = color / pi<Real>() + highlight_value(material.lobe, at.normal,
-                                                                 at.to_view, at.light.direction);
+  static constexpr SurfaceKind kKind = SurfaceKind::glossy;
+  static Rgb<L> scattered(const LitSurfaces<L>& surface, const Illumination<L>& at) {
+    const HighlightLobe<L> lobe = surface.records(&MaterialRecord<ScalarOf<L>>::lobe);
+    const Rgb<L> value =
+        surface.color / pi<L>() + highlight_value(lobe, at.normal, at.to_view, at.light.direction);
     return at.cosine * at.light.weight * value;
   }
   // Highlights answer to lights that have a place; an even sky would only make the surface
   // brighter.
-  static Rgb<Real> even_sky(const MaterialRecord<Real>&, Rgb<Real> color, Real) { return color; }
+  static Rgb<L> even_sky(const LitSurfaces<L>& surface, const L&) { return surface.color; }
 };
 
-template <class Real>
+template <class L>
 struct CoatResponse {
-  static const typename Wave<Real>::List& hits(const Wave<Real>& wave) {
-    return wave.of(SurfaceKind::coat);
-  }
-  static Rgb<Real> scattered(const MaterialRecord<Real>& material, Rgb<Real> color,
-                             const Illumination<Real>& at) {
+  static constexpr SurfaceKind kKind = SurfaceKind::coat;
+  static Rgb<L> scattered(const LitSurfaces<L>& surface, const Illumination<L>& at) {
     return at.cosine * at.light.weight *
-           coat_diffuse_value(material.coat, color, dot(at.normal, at.to_view), at.cosine);
+           coat_diffuse_value(layer(surface), surface.color, dot(at.normal, at.to_view), at.cosine);
   }
-  static Rgb<Real> even_sky(const MaterialRecord<Real>& material, Rgb<Real> color, Real cos_view) {
-    return coat_diffuse_albedo(material.coat, color, cos_view);
+  static Rgb<L> even_sky(const LitSurfaces<L>& surface, const L& cos_view) {
+    return coat_diffuse_albedo(layer(surface), surface.color, cos_view);
+  }
+  static CoatLayer<L> layer(const LitSurfaces<L>& surface) {
+    return surface.records(&MaterialRecord<ScalarOf<L>>::coat);
   }
 };
 
 // A light without shadows is POV-Ray's fill light, which makes no highlight.
-template <class Real>
+template <class L>
 struct PovResponse {
-  static const typename Wave<Real>::List& hits(const Wave<Real>& wave) {
-    return wave.of(SurfaceKind::pov);
-  }
-  static Rgb<Real> scattered(const MaterialRecord<Real>& material, Rgb<Real> color,
-                             const Illumination<Real>& at) {
-    Rgb<Real> answer = pov_diffuse(material.pov, color, at.cosine);
+  static constexpr SurfaceKind kKind = SurfaceKind::pov;
+  static Rgb<L> scattered(const LitSurfaces<L>& surface, const Illumination<L>& at) {
+    const PovSurface<L> pov = surface.records(&MaterialRecord<ScalarOf<L>>::pov);
+    Rgb<L> answer = pov_diffuse(pov, surface.color, at.cosine);
     if (at.casts_shadows) {
-      answer += pov_highlights(material.pov, color, at.normal, at.to_view, at.light.direction);
+      answer += pov_highlights(pov, surface.color, at.normal, at.to_view, at.light.direction);
     }
     return at.light.weight * answer;
   }
-  static Rgb<Real> even_sky(const MaterialRecord<Real>& material, Rgb<Real> color, Real) {
-    return material.pov.diffuse * color;
+  static Rgb<L> even_sky(const LitSurfaces<L>& surface, const L&) {
+    return surface.records(&MaterialRecord<ScalarOf<L>>::pov).diffuse * surface.color;
   }
 };
 
 template <class Real, template <class> class Response>
 void add_ambient(Wave<Real>& wave) {
-  for (const std::size_t h : Response<Real>::hits(wave)) {
-    const std::size_t i = wave.hits.ray_of(h);
-    const Real cos_view = -dot(wave.rays.direction[i], wave.hits.shading_normal[h]);
-    if (!(cos_view > Real(0))) continue;
-    const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material_of(h)];
-    wave.add(i, wave.world.lights.ambient *
-                    Response<Real>::even_sky(material, wave.hits.color[h], cos_view));
-  }
+  using L = Wide<Real>;
+  for_lanes<L>(wave.of(Response<L>::kKind), [&](const Entries<L>& hits) {
+    const Entries<L> rays(hits.of(wave.hits.ray), hits.active());
+    const L cos_view = -dot(rays.of(wave.rays.direction), hits.of(wave.hits.shading_normal));
+    const MaskOf<L> seen = hits.active() && cos_view > L(0);
+    if (!any(seen)) return;
+    const Rgb<L> answer = Response<L>::even_sky(LitSurfaces<L>(wave, hits, seen), cos_view);
+    wave.add(rays, seen, Rgb<L>(wave.world.lights.ambient) * answer);
+  });
 }
 
-// Queues what one sample of a light adds at hit `h`, if both the surface and its shading normal
+// Light paths from several hits to the samples of a light.
+template <class Real, class L>
+void queue_paths(Wave<Real>& wave, const Meeting<L>& met, MaskOf<L> which,
+                 const LightSample<L>& sample, ShapeId lamp, const Rgb<L>& radiance,
+                 ShadowQueue<Real>& queue) {
+  std::size_t i = queue.size();
+  queue.append(which, Ray<L>{met.position, sample.direction}, sample.distance, radiance);
+  const IntOf<L> side = select(met.enters, IntOf<L>(static_cast<int>(Side::kAbove)),
+                               IntOf<L>(static_cast<int>(Side::kBelow)));
+  queue.source.store(i, which, met.hits.of(wave.hits.hit.shape), met.hits.of(wave.hits.hit.face),
+                     side, met.incident);
+  // Only there can a path remember more than the surface that it leaves.
+  const bool may_remember =
+      !wave.hits.passed.empty() || any(which && met.hits.of(wave.hits.hit.t) == L(0));
+  for_each_lane(which, [&](int k) {
+    const std::size_t ray = met.rays[k];
+    queue.light_shape[i] = static_cast<std::int32_t>(lamp);
+    queue.slot[i] = wave.rays.slot[ray];
+    queue.medium[i] = wave.rays.medium[ray];
+    if (may_remember) queue.source.set(i, wave.source_at(met.hits[k], false));
+    ++i;
+  });
+}
+
+// Queues what samples of a light add at several hits, where both the surface and its shading normal
 // face it.
-template <class Real, template <class> class Response, class Placed>
-void queue_light(Wave<Real>& wave, std::size_t h, const LightSample<Real>& sample,
+template <class Real, template <class> class Response, class L, class Placed>
+void queue_light(Wave<Real>& wave, const Entries<L>& hits, const LightSample<L>& sample,
                  const Placed& light) {
-  if (is_black(sample.weight)) return;
-  const std::size_t i = wave.hits.ray_of(h);
-  const Vec3<Real> view = -wave.rays.direction[i];
-  const Vec3<Real> normal = wave.hits.shading_normal[h];
-  const Real cosine = dot(normal, sample.direction);
-  const Real above = dot(wave.hits.geometric_normal[h], sample.direction);
-  const bool same_side = wave.hits.hit[h].enters ? above > Real(0) : above < Real(0);
-  if (!(cosine > Real(0)) || !same_side || !(dot(normal, view) > Real(0))) return;
-  const MaterialRecord<Real>& material = wave.world.materials[wave.hits.material_of(h)];
-  const Rgb<Real> scattered = Response<Real>::scattered(
-      material, wave.hits.color[h], {normal, view, sample, cosine, light.casts_shadows});
-  if (is_black(scattered)) return;
+  const MaskOf<L> lit = hits.active() && !is_black(sample.weight);
+  if (!any(lit)) return;
+  const Meeting met(wave, hits);
+  const Vec3<L> view = -met.incident;
+  const L cosine = dot(met.shading_normal, sample.direction);
+  const L above = dot(met.geometric_normal, sample.direction);
+  const MaskOf<L> same_side = (met.enters && above > L(0)) || (!met.enters && above < L(0));
+  const MaskOf<L> faces = lit && cosine > L(0) && same_side && dot(met.shading_normal, view) > L(0);
+  if (!any(faces)) return;
+  const Rgb<L> scattered =
+      Response<L>::scattered(LitSurfaces<L>(wave, hits, faces),
+                             {met.shading_normal, view, sample, cosine, light.casts_shadows});
   auto& queue = light.casts_shadows ? wave.light_paths : wave.unshadowed;
-  queue.push({wave.hits.position[h], sample.direction}, wave.source_at(h, false), sample.distance,
-             light.visible_shape, wave.rays.weight[i] * scattered, wave.rays.slot[i],
-             wave.rays.medium[i]);
+  queue_paths(wave, met, faces && !is_black(scattered), sample, light.visible_shape,
+              met.weight * scattered, queue);
+}
+
+// Calls sample(hits) for the hits of the kind, and queues what it gives.
+template <class Real, template <class> class Response, class Placed, class Sample>
+void shine(Wave<Real>& wave, const Placed& light, const Sample& sample) {
+  using L = Wide<Real>;
+  for_lanes<L>(wave.of(Response<L>::kKind), [&](const Entries<L>& hits) {
+    queue_light<Real, Response>(wave, hits, sample(hits), light);
+  });
 }
 
 template <class Real, template <class> class Response>
 void shine_points(Wave<Real>& wave) {
+  using L = Wide<Real>;
   for (const auto& light : wave.world.lights.points) {
-    for (const std::size_t h : Response<Real>::hits(wave)) {
-      queue_light<Real, Response>(wave, h, light.kernel.sample(wave.hits.position[h]), light);
-    }
+    shine<Real, Response>(wave, light, [&](const Entries<L>& hits) {
+      return light.kernel.template sample<L>(hits.of(wave.hits.position));
+    });
   }
 }
 
 template <class Real, template <class> class Response>
 void shine_directionals(Wave<Real>& wave) {
+  using L = Wide<Real>;
   for (const auto& light : wave.world.lights.directionals) {
-    for (const std::size_t h : Response<Real>::hits(wave)) {
-      queue_light<Real, Response>(wave, h, light.kernel.sample(), light);
-    }
+    shine<Real, Response>(wave, light,
+                          [&](const Entries<L>&) { return light.kernel.template sample<L>(); });
   }
 }
 
 template <class Real, template <class> class Response>
 void shine_spots(Wave<Real>& wave) {
+  using L = Wide<Real>;
   for (const auto& light : wave.world.lights.spots) {
-    for (const std::size_t h : Response<Real>::hits(wave)) {
-      queue_light<Real, Response>(wave, h, light.kernel.sample(wave.hits.position[h]), light);
-    }
+    shine<Real, Response>(wave, light, [&](const Entries<L>& hits) {
+      return light.kernel.template sample<L>(hits.of(wave.hits.position));
+    });
   }
 }
 
-// Calls `visit(h, sample, k)` with sample k of an area light at each of the hits. The samples of
-// one light at one branch of a pixel's ray trees are one sequence, through all camera samples of
-// the pixel: together they are spread over the light as evenly as the samples of one.
-template <class View, class Real, class Placed, class Visitor>
-void visit_area(const Wave<Real>& wave, const typename Wave<Real>::List& hits, const Placed& light,
-                const Visitor& visit) {
-  for (const std::size_t h : hits) {
-    const std::size_t i = wave.hits.ray_of(h);
-    const View view(light.kernel, wave.hits.position[h]);
-    const std::uint64_t seed = mix_64(wave.rays.path[i], kFirstLightDimension + light.id);
-    const auto count = static_cast<std::uint32_t>(light.kernel.samples);
-    const std::uint32_t first = wave.slots.sample[wave.rays.slot[i]] * count;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const Sample2d bits = sample_2d(seed, first + k);
-      visit(h, view.sample(unit_real<Real>(bits.x), unit_real<Real>(bits.y)), k);
-    }
-  }
+// Sample k of an area light at hit h. The samples of one light at one branch of a pixel's ray trees
+// are one sequence, through all camera samples of the pixel: together they are spread over the
+// light as evenly as the samples of one.
+template <class Real, class Placed>
+Sample2d area_sample(const Wave<Real>& wave, const Placed& light, std::size_t h, std::uint32_t k) {
+  const std::size_t i = wave.hits.ray_of(h);
+  const std::uint64_t seed = mix_64(wave.rays.path[i], kFirstLightDimension + light.id);
+  const auto count = static_cast<std::uint32_t>(light.kernel.samples);
+  return sample_2d(seed, wave.slots.sample[wave.rays.slot[i]] * count + k);
 }
 
-template <class Real, template <class> class Response, class View, class Placed>
-void shine_area(Wave<Real>& wave, const std::vector<Placed>& lights) {
-  for (const Placed& light : lights) {
-    visit_area<View>(wave, Response<Real>::hits(wave), light,
-                     [&](std::size_t h, const LightSample<Real>& sample, std::uint32_t) {
-                       queue_light<Real, Response>(wave, h, sample, light);
-                     });
+// All the samples of the first hit, then those of the second, and so on: each lane is one sample.
+template <class Real, template <class> class Response, template <class> class View, class Placed>
+void shine_area(Wave<Real>& wave, const Placed& light) {
+  using L = Wide<Real>;
+  const auto& list = wave.of(Response<L>::kKind);
+  const auto samples = static_cast<std::size_t>(light.kernel.samples);
+  const std::size_t count = list.size() * samples;
+  for (std::size_t first = 0; first < count; first += L::kWidth) {
+    const std::size_t lanes = std::min<std::size_t>(L::kWidth, count - first);
+    LaneInt<Real> hit[L::kWidth] = {};
+    Real u[L::kWidth] = {}, v[L::kWidth] = {};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const std::size_t place = (first + lane) / samples, k = (first + lane) % samples;
+      hit[lane] = list[place];
+      const Sample2d bits = area_sample(wave, light, static_cast<std::size_t>(hit[lane]),
+                                        static_cast<std::uint32_t>(k));
+      u[lane] = unit_real<Real>(bits.x);
+      v[lane] = unit_real<Real>(bits.y);
+    }
+    const Entries<L> hits(IntOf<L>::load(hit), MaskOf<L>::first(static_cast<int>(lanes)));
+    const View<L> view(light.kernel, hits.of(wave.hits.position));
+    queue_light<Real, Response>(wave, hits, view.sample(L::load(u), L::load(v)), light);
   }
 }
 
 template <class Real, template <class> class Response>
 void shine_spheres(Wave<Real>& wave) {
-  shine_area<Real, Response, SphereLightView<Real>>(wave, wave.world.lights.spheres);
+  for (const auto& light : wave.world.lights.spheres)
+    shine_area<Real, Response, SphereLightView>(wave, light);
 }
 
 template <class Real, template <class> class Response>
 void shine_rectangles(Wave<Real>& wave) {
-  shine_area<Real, Response, RectangleLightView<Real>>(wave, wave.world.lights.rectangles);
+  for (const auto& light : wave.world.lights.rectangles)
+    shine_area<Real, Response, RectangleLightView>(wave, light);
 }
 
 }  // namespace alhazen::render

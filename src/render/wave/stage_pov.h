@@ -3,29 +3,33 @@
 #pragma once
 
 #include "render/surface/pov_finish.h"
-#include "render/wave/passage.h"
-#include "render/wave/stage_reflect.h"
+#include "render/wave/stage_glass.h"
 
 namespace alhazen::render {
 
 template <class Real>
 void add_pov_glow(Wave<Real>& wave) {
-  for (const std::size_t h : wave.pov_glowing) {
-    const PovSurface<Real>& surface = wave.world.materials[wave.hits.material_of(h)].pov;
-    wave.add(wave.hits.ray_of(h), wave.hits.color[h] * surface.glow);
-  }
+  using L = Wide<Real>;
+  for_lanes<L>(wave.pov_glowing, [&](const Entries<L>& hits) {
+    const PovSurface<L> surface = wave.world.materials.template records_of<L>(
+        &MaterialRecord<Real>::pov, hits.of(wave.hits.material), hits.active());
+    const Entries<L> rays(hits.of(wave.hits.ray), hits.active());
+    wave.add(rays, hits.active(), hits.of(wave.hits.color) * surface.glow);
+  });
 }
 
-// A hit on a finish that reflects or is clear.
-template <class Real>
-struct PovHit {
-  Passage<Real> passage;
-  DielectricInterface<Real> interface;
-  Rgb<Real> reflected;    // the part that is
-  Rgb<Real> transmitted;  // the part that is, if there is no total reflection
+// Hits on finishes that reflect or are clear.
+template <class L>
+struct PovHits {
+  std::array<Passage<ScalarOf<L>>, L::kWidth> passage;
+  PovSurface<L> surface;
+  DielectricInterface<L> interface;
+  L eta;
+  Rgb<L> reflected;    // the part that is
+  Rgb<L> transmitted;  // the part that is, if there is no total reflection
   // Total reflection takes the place of the other, but only where light would pass: POV-Ray does
   // not look for it where `conserve_energy` has left nothing.
-  bool reflects_totally;
+  MaskOf<L> reflects_totally;
 };
 
 // Index of this side over that of the other, as a `fresnel` reflection goes by it. On leaving one
@@ -37,67 +41,90 @@ Real pov_fresnel_eta(const Passage<Real>& passage, Real own, bool entering) {
   return passage.behind == kVacuum ? own : own / passage.ior_here;
 }
 
-// An opaque surface that is met from behind, by a ray that is not known to be inside of it, is the
-// back of a sheet: POV-Ray takes either side of a sheet for the outside.
+// What a ray crosses at a hit. An opaque surface that is met from behind, by a ray that is not
+// known to be inside of it, is the back of a sheet: POV-Ray takes either side of a sheet for the
+// outside.
 template <class Real>
-PovHit<Real> find_pov_hit(Wave<Real>& wave, std::size_t h) {
-  const Hit<Real> hit = wave.hits.hit[h];
+Passage<Real> pov_passage(Wave<Real>& wave, std::size_t h, bool& enters) {
+  const ShapeId shape = wave.hits.hit[h].shape;
   const MaterialId id = wave.hits.material_of(h);
-  const MaterialRecord<Real>& material = wave.world.materials[id];
-  const Real cosine = incident_cosine(wave, h);
   MediumId here = wave.rays.medium[wave.hits.ray_of(h)];
-  const bool enters = hit.enters || (!material.pov_clear && !wave.media.contains(here, id));
-  if (!wave.world.thin[hit.shape]) here = before_surface(wave.media, here, id, enters);
-  PovHit<Real> met{};
-  met.passage = cross_shape(wave.world, wave.media, here, hit.shape, enters);
-  met.interface = dielectric_interface(cosine, met.passage.ior_here / met.passage.ior_behind);
-  Real fresnel = 0;
-  if (material.pov.fresnel) {
-    const Real eta = pov_fresnel_eta(met.passage, material.ior, enters);
-    fresnel = dielectric_interface(cosine, eta).reflectance;
+  if (!wave.world.materials.route(id).pov_clear && !wave.media.contains(here, id)) enters = true;
+  if (!wave.world.thin[shape]) here = before_surface(wave.media, here, id, enters);
+  return cross_shape(wave.world, wave.media, here, shape, enters);
+}
+
+template <class Real, class L>
+PovHits<L> find_pov_hits(Wave<Real>& wave, const Meeting<L>& met) {
+  PovHits<L> found;
+  found.surface = wave.world.materials.template records_of<L>(
+      &MaterialRecord<Real>::pov, met.hits.of(wave.hits.material), met.hits.active());
+  Real fresnel_eta[L::kWidth] = {};
+  found.eta = per_lane<L>(met.hits.active(), Real(1), [&](int k) {
+    const std::size_t h = met.hits[k];
+    bool enters = met.enters[k];
+    found.passage[k] = pov_passage(wave, h, enters);
+    const Real own = wave.world.materials[wave.hits.material_of(h)].ior;
+    fresnel_eta[k] = pov_fresnel_eta(found.passage[k], own, enters);
+    return found.passage[k].ior_here / found.passage[k].ior_behind;
+  });
+  const L cosine = incident_cosine(met);
+  const Rgb<L> color = met.hits.of(wave.hits.color);
+  found.interface = dielectric_interface(cosine, found.eta);
+  L fresnel = 0;
+  if (any(met.hits.active() && found.surface.fresnel != L(0))) {
+    fresnel = dielectric_interface(cosine, L::load(fresnel_eta)).reflectance;
   }
-  met.reflected = pov_reflectance(material.pov, wave.hits.color[h], cosine, fresnel);
-  met.transmitted = pov_passed(material.pov, wave.hits.color[h]);
-  if (material.pov.conserves_energy) met.transmitted = met.transmitted * pov_rest(met.reflected);
-  met.reflects_totally = met.interface.total_reflection && !is_black(met.transmitted);
-  return met;
+  found.reflected = pov_reflectance(found.surface, color, cosine, fresnel);
+  const Rgb<L> passed = pov_passed(found.surface, color);
+  found.transmitted =
+      select(found.surface.conserves_energy != L(0), passed * pov_rest(found.reflected), passed);
+  found.reflects_totally = found.interface.total_reflection && !is_black(found.transmitted);
+  return found;
 }
 
 template <class Real>
 void reflect_as_pov(Wave<Real>& wave) {
-  for (const std::size_t h : wave.pov_mirror) {
-    const PovHit<Real> met = find_pov_hit(wave, h);
-    if (!met.reflects_totally) spawn_reflection(wave, h, met.reflected);
-  }
+  using L = Wide<Real>;
+  for_lanes<L>(wave.pov_mirror, [&](const Entries<L>& hits) {
+    const Meeting met(wave, hits);
+    const PovHits<L> found = find_pov_hits(wave, met);
+    spawn_reflections(wave, met, hits.active() && !found.reflects_totally, found.reflected);
+  });
 }
 
 // What has passed a solid is faded on leaving it. A ray that is not bent counts as no deeper one.
 template <class Real>
 void transmit_as_pov(Wave<Real>& wave) {
-  for (const std::size_t h : wave.pov_clear) {
-    const PovSurface<Real>& surface = wave.world.materials[wave.hits.material_of(h)].pov;
-    const Hit<Real> hit = wave.hits.hit[h];
-    const std::size_t parent = wave.hits.ray_of(h);
-    const Vec3<Real> incident = wave.rays.direction[parent];
-    const PovHit<Real> met = find_pov_hit(wave, h);
-    const bool leaves = surface.fades && !hit.enters;
-    const Rgb<Real> left = leaves ? pov_fade(surface, hit.t) : Rgb<Real>(Real(1));
-    if (met.reflects_totally) spawn_reflection(wave, h, left);
-    if (met.interface.total_reflection) continue;
-    const Real eta = met.passage.ior_here / met.passage.ior_behind;
-    const Rgb<Real> weight = wave.rays.weight[parent] * (left * met.transmitted);
-    const Source source = wave.source_at(h, true);
-    if (eta == 1) {
-      wave.spawn_straight(parent, {wave.hits.position[h], incident}, source, weight,
-                          met.passage.behind);
-      continue;
+  using L = Wide<Real>;
+  for_lanes<L>(wave.pov_clear, [&](const Entries<L>& hits) {
+    const Meeting met(wave, hits);
+    const PovHits<L> found = find_pov_hits(wave, met);
+    const MaskOf<L> leaves = hits.active() && found.surface.fades != L(0) && !met.enters;
+    Rgb<L> left(L(1));
+    if (any(leaves)) {
+      left = select(leaves, pov_fade(found.surface, hits.of(wave.hits.hit.t)), left);
     }
-    Vec3<Real> onward = refracted(incident, wave.hits.shading_normal[h], eta, met.interface);
-    const bool crosses = (dot(onward, wave.hits.geometric_normal[h]) < Real(0)) == hit.enters;
-    // Smooth normals can bend a ray back; then it goes straight on.
-    if (!crosses) onward = incident;
-    wave.spawn(false, parent, {wave.hits.position[h], onward}, source, weight, met.passage.behind);
-  }
+    const Vectors<L> position(met.position), incident(met.incident),
+        mirrored(mirror_direction(met)),
+        onward(crossing_direction(met, found.eta, found.interface));
+    const Colors<L> reflected(met.weight * left), passed(met.weight * (left * found.transmitted));
+    for_each_lane(hits.active(), [&](int k) {
+      const std::size_t h = hits[k], parent = met.rays[k];
+      if (found.reflects_totally[k]) {
+        wave.spawn(true, parent, {position[k], mirrored[k]}, wave.source_at(h, false), reflected[k],
+                   wave.rays.medium[parent]);
+      }
+      if (found.interface.total_reflection[k]) return;
+      const MediumId behind = found.passage[k].behind;
+      const Source source = wave.source_at(h, true);
+      if (found.eta[k] == Real(1)) {
+        wave.spawn_straight(parent, {position[k], incident[k]}, source, passed[k], behind);
+      } else {
+        wave.spawn(false, parent, {position[k], onward[k]}, source, passed[k], behind);
+      }
+    });
+  });
 }
 
 }  // namespace alhazen::render

@@ -3,66 +3,74 @@
 
 #include "render/surface/fresnel.h"
 #include "render/surface/refract.h"
-#include "render/wave/wave.h"
+#include "render/wave/meeting.h"
 
 namespace alhazen::render {
 
 // The mirror direction about the shading normal, or, where that would lead through the surface,
 // about the geometric one.
-template <class Real>
-Vec3<Real> mirror_direction(const Wave<Real>& wave, std::size_t h) {
-  const Vec3<Real> incident = wave.rays.direction[wave.hits.ray_of(h)];
-  const Vec3<Real> geometric = wave.hits.geometric_normal[h];
-  const Vec3<Real> mirrored = reflected(incident, wave.hits.shading_normal[h]);
-  const bool stays = (dot(mirrored, geometric) < Real(0)) != (dot(incident, geometric) < Real(0));
-  return stays ? mirrored : reflected(incident, geometric);
-}
-
-template <class Real>
-void spawn_reflection(Wave<Real>& wave, std::size_t h, Rgb<Real> reflectance) {
-  const std::size_t parent = wave.hits.ray_of(h);
-  wave.spawn(true, parent, {wave.hits.position[h], mirror_direction(wave, h)},
-             wave.source_at(h, false), wave.rays.weight[parent] * reflectance,
-             wave.rays.medium[parent]);
+template <class L>
+Vec3<L> mirror_direction(const Meeting<L>& met) {
+  const Vec3<L> mirrored = reflected(met.incident, met.shading_normal);
+  const MaskOf<L> comes_below = dot(met.incident, met.geometric_normal) < L(0);
+  const MaskOf<L> stays = (dot(mirrored, met.geometric_normal) < L(0)) != comes_below;
+  if (all(stays)) return mirrored;
+  return select(stays, mirrored, reflected(met.incident, met.geometric_normal));
 }
 
 // The cosine of the angle of incidence against the shading normal, kept within [0, 1].
-template <class Real>
-Real incident_cosine(const Wave<Real>& wave, std::size_t h) {
-  const Real cosine = -dot(wave.rays.direction[wave.hits.ray_of(h)], wave.hits.shading_normal[h]);
-  return larger(Real(0), smaller(Real(1), cosine));
+template <class L>
+L incident_cosine(const Meeting<L>& met) {
+  const L cosine = -dot(met.incident, met.shading_normal);
+  return larger(L(0), smaller(L(1), cosine));
 }
 
-// The index of refraction that the ray of hit `h` travels in.
-template <class Real>
-Real incident_ior(const Wave<Real>& wave, std::size_t h) {
-  return wave.ior_in(wave.rays.medium[wave.hits.ray_of(h)]);
+template <class Real, class L>
+void spawn_reflections(Wave<Real>& wave, const Meeting<L>& met, MaskOf<L> which,
+                       const Rgb<L>& reflectance) {
+  const Vectors<L> position(met.position), direction(mirror_direction(met));
+  const Colors<L> weight(met.weight * reflectance);
+  for_each_lane(which, [&](int k) {
+    const std::size_t parent = met.rays[k];
+    wave.spawn(true, parent, {position[k], direction[k]}, wave.source_at(met.hits[k], false),
+               weight[k], wave.rays.medium[parent]);
+  });
 }
 
 template <class Real>
 void reflect_in_mirrors(Wave<Real>& wave) {
-  for (const std::size_t h : wave.of(SurfaceKind::mirror))
-    spawn_reflection(wave, h, wave.hits.color[h]);
+  for_lanes<Wide<Real>>(wave.of(SurfaceKind::mirror), [&](const Entries<Wide<Real>>& hits) {
+    spawn_reflections(wave, Meeting(wave, hits), hits.active(), hits.of(wave.hits.color));
+  });
 }
 
 template <class Real>
 void reflect_in_metals(Wave<Real>& wave) {
-  for (const std::size_t h : wave.of(SurfaceKind::metal)) {
-    const MaterialRecord<Real>& metal = wave.world.materials[wave.hits.material_of(h)];
-    const Real ior = incident_ior(wave, h);
-    spawn_reflection(
-        wave, h,
-        conductor_reflectance(incident_cosine(wave, h), metal.conductor_n, metal.conductor_k, ior));
-  }
+  using L = Wide<Real>;
+  for_lanes<L>(wave.of(SurfaceKind::metal), [&](const Entries<L>& hits) {
+    const Meeting met(wave, hits);
+    const auto of_metal = [&, id = hits.of(wave.hits.material)](auto member) {
+      return wave.world.materials.template records_of<L>(member, id, hits.active());
+    };
+    const L ior = per_lane<L>(hits.active(), Real(1),
+                              [&](int k) { return wave.ior_in(wave.rays.medium[met.rays[k]]); });
+    spawn_reflections(
+        wave, met, hits.active(),
+        conductor_reflectance(incident_cosine(met), of_metal(&MaterialRecord<Real>::conductor_n),
+                              of_metal(&MaterialRecord<Real>::conductor_k), ior));
+  });
 }
 
 template <class Real>
 void reflect_in_coats(Wave<Real>& wave) {
-  for (const std::size_t h : wave.of(SurfaceKind::coat)) {
-    const CoatLayer<Real>& layer = wave.world.materials[wave.hits.material_of(h)].coat;
-    const Real reflectance = coat_mirror_reflectance(layer, incident_cosine(wave, h));
-    spawn_reflection(wave, h, Rgb<Real>(reflectance));
-  }
+  using L = Wide<Real>;
+  for_lanes<L>(wave.of(SurfaceKind::coat), [&](const Entries<L>& hits) {
+    const Meeting met(wave, hits);
+    const CoatLayer<L> layer = wave.world.materials.template records_of<L>(
+        &MaterialRecord<Real>::coat, hits.of(wave.hits.material), hits.active());
+    spawn_reflections(wave, met, hits.active(),
+                      Rgb<L>(coat_mirror_reflectance(layer, incident_cosine(met))));
+  });
 }
 
 }  // namespace alhazen::render

@@ -1,6 +1,7 @@
 // render/wave: what of a light's radiance arrives.
 #pragma once
 
+#include "render/accel/shape_tree_lanes.h"
 #include "render/surface/absorption.h"
 #include "render/wave/stage_glass.h"
 
@@ -20,16 +21,26 @@ void count_shadow_rays(Wave<Real>& wave) {
     ++wave.slots.rays[wave.light_paths.slot[i]];
 }
 
+template <class L>
+Ray<L> rays_at(const ShadowQueue<ScalarOf<L>>& paths, const Entries<L>& at) {
+  return {at.of(paths.origin), at.of(paths.direction)};
+}
+
 template <class Real>
 void add_past_opaque(Wave<Real>& wave) {
+  using L = Wide<Real>;
   const ShadowQueue<Real>& paths = wave.light_paths;
   count_shadow_rays(wave);
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const bool blocked =
-        any_hit(wave.world.tree, {paths.origin[i], paths.direction[i]}, paths.source[i],
-                paths.distance[i], static_cast<ShapeId>(paths.light_shape[i]));
-    if (!blocked) wave.slots.radiance[paths.slot[i]] += paths.radiance[i];
-  }
+  for_lanes<L>(paths.size(), [&](const Entries<L>& at) {
+    const MaskOf<L> blocked = any_hits(
+        wave.world.tree, rays_at(paths, at), paths.source.departures(at),
+        [&](int lane) { return paths.source[at[lane]]; }, at.of(paths.distance),
+        at.of(paths.light_shape), at.active());
+    for_each_lane(at.active() && !blocked, [&](int k) {
+      const std::size_t i = at[k];
+      wave.slots.radiance[paths.slot[i]] += paths.radiance[i];
+    });
+  });
 }
 
 // The share of light that a surface of glass lets through on a straight path. The path is not bent,
@@ -61,10 +72,11 @@ Rgb<Real> pov_shadow(const World<Real>& world, const Ray<Real>& ray, const Hit<R
   return leaves ? share * pov_fade(material.pov, distance) : share;
 }
 
-// Follows one path through every surface between the point and the light; what arrives of 1. The
-// path is one straight line: its hits are visited in their order on it, and nothing starts anew.
+// Follows one path through every surface between the point and the light, from the first `hit` on;
+// what arrives of 1. The path is one straight line: its hits are visited in their order on it, and
+// nothing starts anew.
 template <class Real>
-Rgb<Real> follow_to_light(Wave<Real>& wave, std::size_t i) {
+Rgb<Real> follow_to_light(Wave<Real>& wave, std::size_t i, std::optional<Hit<Real>> hit) {
   const ShadowQueue<Real>& paths = wave.light_paths;
   const World<Real>& world = wave.world;
   const Ray<Real> ray{paths.origin[i], paths.direction[i]};
@@ -74,7 +86,6 @@ Rgb<Real> follow_to_light(Wave<Real>& wave, std::size_t i) {
   MediumId medium = paths.medium[i];
   Real travelled = 0;
   Rgb<Real> share(Real(1));
-  auto hit = closest_hit(world.tree, ray, source, distance, lamp);
   for (; !is_black(share); hit = next_hit(world.tree, ray, source, *hit, distance, lamp)) {
     const Real here = hit ? hit->t : distance;
     const MaterialId material = hit ? world.material_of[hit->shape] : kNoId;
@@ -105,11 +116,20 @@ Rgb<Real> follow_to_light(Wave<Real>& wave, std::size_t i) {
 
 template <class Real>
 void add_through_glass(Wave<Real>& wave) {
+  using L = Wide<Real>;
+  const ShadowQueue<Real>& paths = wave.light_paths;
   count_shadow_rays(wave);
-  for (std::size_t i = 0; i < wave.light_paths.size(); ++i) {
-    wave.slots.radiance[wave.light_paths.slot[i]] +=
-        wave.light_paths.radiance[i] * follow_to_light(wave, i);
-  }
+  for_lanes<L>(paths.size(), [&](const Entries<L>& at) {
+    const HitLanes<L> first = closest_hits(
+        wave.world.tree, rays_at(paths, at), paths.source.departures(at),
+        [&](int lane) { return paths.source[at[lane]]; }, at.of(paths.distance),
+        at.of(paths.light_shape), at.active());
+    for_each_lane(at.active(), [&](int k) {
+      const std::size_t i = at[k];
+      const auto hit = first.found[k] ? std::optional(first[k]) : std::nullopt;
+      wave.slots.radiance[paths.slot[i]] += paths.radiance[i] * follow_to_light(wave, i, hit);
+    });
+  });
 }
 
 }  // namespace alhazen::render

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/wave/entries.h"
 #include "render/wave/hit_queue.h"
 #include "render/wave/media.h"
 #include "render/wave/render.h"
@@ -48,6 +49,14 @@ struct Wave {
   // Adds what comes along ray `i` to its sample.
   void add(std::size_t i, Rgb<Real> radiance) {
     slots.radiance[rays.slot[i]] += rays.weight[i] * radiance;
+  }
+
+  // The same of several rays, in the order of the lanes: some may belong to one
+  // sample.
+  template <class L>
+  void add(const Entries<L>& at, MaskOf<L> which, const Rgb<L>& radiance) {
+    const Colors<L> weighted(at.of(rays.weight) * radiance);
+    for_each_lane(which, [&](int k) { slots.radiance[rays.slot[at[k]]] += weighted[k]; });
   }
 
   const List& of(SurfaceKind kind) const { return of_kind[static_cast<std::size_t>(kind)]; }
@@ -107,10 +116,12 @@ struct Wave {
       start_list(list);
   }
 
-  // Puts each hit on the lists of what its surface does.
+  // Finds the material of each hit, and puts it on the lists of what its surface does.
   void sort_hits() {
     for (std::size_t h = 0; h < hits.size(); ++h) {
-      const MaterialRoute& route = world.materials.route(hits.material_of(h));
+      const MaterialId material = world.material_of[static_cast<ShapeId>(hits.hit.shape[h])];
+      hits.material[h] = static_cast<LaneInt<Real>>(material);
+      const MaterialRoute& route = world.materials.route(material);
       of_kind[static_cast<std::size_t>(route.kind)].push(h);
       if (!route.more) continue;
       if (route.emits && (!route.one_sided || hits.hit.enters[h] != 0)) glowing.push(h);
