@@ -63,11 +63,10 @@ TEST(RayQueue, KeepsItsMemory) {
 TEST(HitQueue, GivesBackWhatWasPutIn) {
   HitQueue<float> hits;
   hits.make_room(3);
-  hits.push(2, {1.5F, 9, 1, true}, 4);
-  hits.push(5, {0.0F, 0, kNoFace, false}, 0);
+  hits.push(2, {1.5F, 9, 1, true});
+  hits.push(5, {0.0F, 0, kNoFace, false});
   EXPECT_EQ(hits.size(), 2u);
   EXPECT_EQ(hits.ray_of(1), 5u);
-  EXPECT_EQ(hits.material_of(0), 4u);
   EXPECT_EQ(hits.hit[0].t, 1.5F);
   EXPECT_EQ(hits.hit[0].shape, 9u);
   EXPECT_TRUE(hits.hit[0].enters);
