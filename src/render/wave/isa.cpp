@@ -60,7 +60,7 @@ std::vector<Isa> usable_isas() {
   return result;
 }
 
-RenderFunctions render_functions(Isa isa) {
+RenderFunctions render_functions([[maybe_unused]] Isa isa) {
 #if ALHAZEN_HAS_AVX2
   if (isa == Isa::avx2) return {avx2::render_in_float, avx2::render_in_double};
 #endif
