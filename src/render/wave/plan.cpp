@@ -79,9 +79,10 @@ class Planner {
   }
 
   void add_lights() {
-    for (int stage = static_cast<int>(StageId::ambient_on_matte);
-         stage <= static_cast<int>(StageId::rectangle_on_pov); ++stage)
-      when(static_cast<StageId>(stage));
+    for (auto id = StageId::ambient_on_matte; id <= StageId::ambient_on_pov; id = after(id))
+      when(id);
+    for (auto id = StageId::point_on_matte; id <= StageId::rectangle_on_pov; id = after(id))
+      when(id, {Effect::direct_light});
     const StageId shadows =
         effects_.has(Effect::tinted_shadows) ? StageId::tinted_shadows : StageId::opaque_shadows;
     when(shadows, {Effect::soft_shadows});
@@ -92,6 +93,8 @@ class Planner {
         });
     if (unshadowed) when(StageId::unshadowed);
   }
+
+  static StageId after(StageId id) { return static_cast<StageId>(static_cast<int>(id) + 1); }
 
   auto called() const {
     return [this](Effect effect) { return effects_.has(effect); };

@@ -79,98 +79,79 @@ TEST(Plan, BackgroundBehindATransparentPictureIsSeenInMirrorsOnly) {
   EXPECT_TRUE(plan_of(b.scene).runs(StageId::escape));
 }
 
-// A use of an effect that cannot reach a pixel, and one that can.
-struct Use {
-  const char* effect;
-  void (*dead)(SceneBuilder&);
-  void (*live)(SceneBuilder&);
-};
+// Uses that are dead because of what else is in the scene; those that are dead by themselves stand
+// in scenes/effects.
+void expect_dead(const SceneBuilder& with, const SceneBuilder& without) {
+  EXPECT_TRUE(plan_of(with.scene) == plan_of(without.scene));
+  const RenderOutput a = render_or_fail(with.scene), b = render_or_fail(without.scene);
+  EXPECT_EQ(a.picture.rgb, b.picture.rgb);
+  EXPECT_EQ(a.statistics.rays(), b.statistics.rays());
+}
 
-const Use kUses[] = {
-    {"mirror", [](SceneBuilder& b) { b.mirror(0.9); },
-     [](SceneBuilder& b) {
-       b.add(Sphere{{1, 0, 0}, 1}, b.mirror(0.9));
-     }},
-    {"mirror that reflects nothing", [](SceneBuilder& b) { b.mirror(0); },
-     [](SceneBuilder& b) {
-       b.add(Sphere{{1, 0, 0}, 1}, b.mirror(0.1));
-     }},
-    {"glass", [](SceneBuilder& b) { b.glass(1.5); },
-     [](SceneBuilder& b) {
-       b.add(Sphere{{1, 0, 0}, 1}, b.glass(1.5));
-     }},
-    {"light",
-     [](SceneBuilder& b) {
-       b.light(SphereLight{{0, 9, 0}, 1, Rgbd(0), 4});
-     },
-     [](SceneBuilder& b) {
-       b.light(SphereLight{{0, 9, 0}, 1, Rgbd(5), 4});
-     }},
-    {"highlight",
-     [](SceneBuilder& b) {
-       std::get<Diffuse>(b.scene.materials[0].scattering).highlight.exponent = 99;
-     },
-     [](SceneBuilder& b) {
-       std::get<Diffuse>(b.scene.materials[0].scattering).highlight.strength = Rgbd(0.3);
-     }},
-    {"texture",
-     [](SceneBuilder& b) {
-       const TextureId same = b.color(Rgbd(0.5)), too = b.color(Rgbd(0.5));
-       b.scene.textures.push_back({CheckerPattern{same, too}, Mapping::object, Affined(), {}});
-       std::get<Diffuse>(b.scene.materials[0].scattering).albedo =
-           static_cast<TextureId>(b.scene.textures.size() - 1);
-     },
-     [](SceneBuilder& b) {
-       const TextureId one = b.color(Rgbd(0.5)), other = b.color(Rgbd(0.1));
-       b.scene.textures.push_back({CheckerPattern{one, other}, Mapping::object, Affined(), {}});
-       std::get<Diffuse>(b.scene.materials[0].scattering).albedo =
-           static_cast<TextureId>(b.scene.textures.size() - 1);
-     }},
-    {"lens",
-     [](SceneBuilder& b) {
-       std::get<PerspectiveCamera>(b.scene.camera.projection).lens = ThinLens{0, 3};
-     },
-     [](SceneBuilder& b) {
-       std::get<PerspectiveCamera>(b.scene.camera.projection).lens = ThinLens{0.5, 3};
-     }},
-    {"background",
-     [](SceneBuilder& b) {
-       b.scene.background.source = GradientBackground{{{0, Rgbd(0)}}};
-     },
-     [](SceneBuilder& b) { b.background(0.5); }},
-    {"POV-Ray's reflection and transparency",
-     [](SceneBuilder& b) {
-       PovFinish m;
-       m.color = b.color(Rgbd(0));
-       m.filter = 0.5;
-       m.ambient = Rgbd(0.5);
-       m.reflection.falloff = 2;
-       b.add(Sphere{{0.1, 0, 0}, 0.5}, b.material(m));  // black, and out of sight
-     },
-     [](SceneBuilder& b) {
-       PovFinish m;
-       m.color = b.color(Rgbd(0.5));
-       m.filter = 0.5;
-       m.reflection.max = Rgbd(0.5);
-       b.add(Sphere{{1, 0, 0}, 1}, b.material(m));
-     }},
-    {"emission", [](SceneBuilder& b) { b.scene.materials[0].emission = Rgbd(0); },
-     [](SceneBuilder& b) { b.scene.materials[0].emission = Rgbd(1); }},
-};
-
-TEST(Plan, DeadUsesChangeNothingAndLiveOnesDo) {
-  const SceneBuilder plain = plain_scene();
-  const RenderOutput base = render_or_fail(plain.scene);
-  for (const Use& use : kUses) {
-    SceneBuilder dead = plain, live = plain;
-    use.dead(dead);
-    use.live(live);
-    EXPECT_TRUE(plan_of(dead.scene) == plan_of(plain.scene)) << use.effect;
-    const RenderOutput with_dead = render_or_fail(dead.scene);
-    EXPECT_EQ(with_dead.picture.rgb, base.picture.rgb) << use.effect;
-    EXPECT_EQ(with_dead.statistics.rays(), base.statistics.rays()) << use.effect;
-    EXPECT_NE(pixels_of(live.scene), base.picture.rgb) << use.effect;
+TEST(Plan, HighlightsUnderAnEvenSkyAreNone) {
+  SceneBuilder without, with;
+  for (SceneBuilder* b : {&without, &with}) {
+    b->add(Sphere{{0, 0, 0}, 1}, b->diffuse(0.5));
+    b->light(AmbientLight{Rgbd(1)});
+    b->look({0, 0, -4}, {0, 0, 1}, {0, 1, 0}, 40);
   }
+  std::get<Diffuse>(with.scene.materials[0].scattering).highlight.strength = Rgbd(0.3);
+  expect_dead(with, without);
+}
+
+TEST(Plan, EvenSkyOnBlackSurfacesIsNone) {
+  SceneBuilder without = plain_scene();
+  auto& worn = std::get<Diffuse>(without.scene.materials[0].scattering);
+  worn.albedo = without.color(Rgbd(0));
+  worn.highlight.strength = Rgbd(0.3);
+  SceneBuilder with = without;
+  with.light(AmbientLight{Rgbd(1)});
+  expect_dead(with, without);
+}
+
+TEST(Plan, PatternsThatNothingLightsAreNone) {
+  SceneBuilder without;
+  without.add(Sphere{{0, 0, 0}, 1}, without.diffuse(0.5));
+  without.add(Sphere{{1, 0, 0}, 1}, without.mirror(0.9));  // its colour is asked for
+  without.background(1);
+  without.look({0, 0, -4}, {0, 0, 1}, {0, 1, 0}, 40);
+  SceneBuilder with = without;
+  const TextureId one = with.color(Rgbd(0.5)), other = with.color(Rgbd(0.1));
+  with.scene.textures.push_back({CheckerPattern{one, other}, Mapping::object, Affined(), {}});
+  std::get<Diffuse>(with.scene.materials[0].scattering).albedo =
+      static_cast<TextureId>(with.scene.textures.size() - 1);
+  expect_dead(with, without);
+  const PlanWants albedo{.albedo = true};
+  const EffectSet effects = effects_of(with.scene, albedo);
+  EXPECT_TRUE(make_plan(with.scene, effects, albedo).runs(StageId::textured_colors));
+}
+
+TEST(Plan, LightsThatDoNotShineMoveNoRandomNumbers) {
+  SceneBuilder without = plain_scene(), with = without;
+  with.light(PointLight{{0, 3, 0}, Rgbd(0), Falloff::inverse_square});
+  for (SceneBuilder* b : {&without, &with})
+    b->light(SphereLight{{-3, 3, -3}, 1, Rgbd(5), 4});
+  expect_dead(with, without);
+}
+
+TEST(Plan, SolidsAreLookedForWhereRaysMayStart) {
+  const auto runs = [](Vec3d glass_at, std::optional<ThinLens> lens) {
+    SceneBuilder b = plain_scene();
+    b.add(Sphere{glass_at, 1}, b.glass(1.5));
+    std::get<PerspectiveCamera>(b.scene.camera.projection).lens = lens;
+    return plan_of(b.scene).runs(StageId::camera_media);
+  };
+  EXPECT_FALSE(runs({0, 0, 0}, std::nullopt));
+  EXPECT_TRUE(runs({0, 0, -4.5}, std::nullopt));
+  EXPECT_FALSE(runs({0, 0, 0}, ThinLens{0.1, 3})) << "the lens is in the air";
+  EXPECT_TRUE(runs({1.1, 0, -4}, ThinLens{0.3, 3})) << "the lens reaches into the ball";
+  EXPECT_FALSE(runs({1.1, 0, -4}, ThinLens{0, 3}));
+  SceneBuilder b = plain_scene();
+  b.add(Sphere{{2, 0, -4}, 1}, b.glass(1.5));
+  b.scene.camera.projection = OrthographicCamera{4};
+  EXPECT_TRUE(plan_of(b.scene).runs(StageId::camera_media));
+  b.scene.camera.projection = OrthographicCamera{0.2};
+  EXPECT_FALSE(plan_of(b.scene).runs(StageId::camera_media));
 }
 
 }  // namespace
