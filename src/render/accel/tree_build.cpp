@@ -18,20 +18,24 @@ struct Children {
   std::size_t count;
 };
 
-// Splits the child with the largest area until there are eight or all are single shapes.
+// Puts the shapes of child `k` in its place, and behind the others.
+void take_in(std::span<const NumberedBox> items, std::size_t k, Children& children) {
+  const TreeRange range = children.range[k];
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const std::size_t place = i == range.begin ? k : children.count++;
+    children.range[place] = range_of(items, i, i + 1);
+  }
+}
+
+// Splits the child with the largest area until there are eight or all fit into one node each. Where
+// there is room, the smallest of them needs no node.
 Children children_of(std::span<NumberedBox> items, const TreeRange& whole) {
   Children children{{whole}, 1};
-  if (whole.size() <= kNodeWidth) {
-    for (std::size_t k = 0; k < whole.size(); ++k)
-      children.range[k] = range_of(items, whole.begin + k, whole.begin + k + 1);
-    children.count = whole.size();
-    return children;
-  }
   while (children.count < kNodeWidth) {
     TreeRange* largest = nullptr;
     for (std::size_t k = 0; k < children.count; ++k) {
       TreeRange& child = children.range[k];
-      if (child.size() < 2) continue;
+      if (child.size() <= kNodeWidth) continue;
       if (largest == nullptr || half_area(child.box) > half_area(largest->box)) largest = &child;
     }
     if (largest == nullptr) break;
@@ -39,7 +43,19 @@ Children children_of(std::span<NumberedBox> items, const TreeRange& whole) {
     *largest = halves[0];
     children.range[children.count++] = halves[1];
   }
-  return children;
+  for (;;) {
+    std::size_t smallest = children.count;
+    for (std::size_t k = 0; k < children.count; ++k) {
+      const std::size_t size = children.range[k].size();
+      if (size < 2) continue;
+      if (smallest == children.count || size < children.range[smallest].size()) smallest = k;
+    }
+    if (smallest == children.count ||
+        children.count + children.range[smallest].size() - 1 > kNodeWidth) {
+      return children;
+    }
+    take_in(items, smallest, children);
+  }
 }
 
 // A range that node `parent` has as a child and that has no node yet.
