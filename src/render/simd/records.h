@@ -72,6 +72,21 @@ inline Record<L> gathered(const Record<ScalarOf<L>>* records, const IntOf<L>& in
   }
 }
 
+// The numbers of W lanes, to be dealt out again: each of them to several lanes.
+template <class L>
+class DealtLanes {
+ public:
+  explicit DealtLanes(const L& numbers) { numbers.store(numbers_.data()); }
+  // Lane i of the result is number from[i].
+  template <class Int>
+  L to(const Int& from) const {
+    return L::gather(numbers_.data(), from);
+  }
+
+ private:
+  std::array<ScalarOf<L>, static_cast<std::size_t>(L::kWidth)> numbers_;
+};
+
 // The records of W lanes, to be dealt out again: each of them to several lanes.
 template <class L, template <class> class Record>
 class DealtRecords {

@@ -10,8 +10,8 @@
 
 namespace alhazen::render {
 
-// The entries `index` of a queue, where `active`. Most often they stand in a row, and then their
-// numbers are loaded and not gathered.
+// The entries `index` of a queue, where `active`. Most often they stand in a row, or are one and
+// the same, and then their numbers are loaded and not gathered.
 template <class L>
 class Entries {
  public:
@@ -23,6 +23,7 @@ class Entries {
   Entries(const Int& index, Mask active) : index_(index), active_(active) {
     first_ = static_cast<std::size_t>(index[0]);
     in_row_ = !any(active && index != Int(index[0]) + Int::iota());
+    is_one_ = !any(active && index != Int(index[0]));
   }
   // first, first + 1, ... as far as they are below `end`.
   static Entries in_row(std::size_t first, std::size_t end) {
@@ -70,13 +71,14 @@ class Entries {
   template <class Numbers, class T>
   Numbers numbers(const Column<T>& column) const {
     if (in_row_) return Numbers::load(column.data() + first_);
+    if (is_one_) return Numbers(column[first_]);
     return Numbers::gather(column.data(), index_, active_);
   }
 
   Int index_;
   Mask active_;
   std::size_t first_ = 0;
-  bool in_row_ = false;
+  bool in_row_ = false, is_one_ = false;
 };
 
 // Calls visit(entries) for the entries [0, count) of a queue, in their order.

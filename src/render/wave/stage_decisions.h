@@ -79,12 +79,13 @@ struct LightQuestion {
 
 // Calls `visit(h, sample, k)` with sample k of an area light at each of the hits.
 template <template <class> class View, class Real, class Placed, class Visitor>
-void visit_area(const Wave<Real>& wave, const typename Wave<Real>::List& hits, const Placed& light,
-                const Visitor& visit) {
+void visit_area_one_by_one(const Wave<Real>& wave, const typename Wave<Real>::List& hits,
+                           const Placed& light, const Visitor& visit) {
   for (const std::size_t h : hits) {
     const View<Real> view(light.kernel, wave.hits.position[h]);
+    const AreaSequence of_hit = area_sequence(wave, light, h);
     for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(light.kernel.samples); ++k) {
-      const Sample2d bits = area_sample(wave, light, h, k);
+      const Sample2d bits = sample_2d(of_hit.seed, of_hit.first + k);
       visit(h, view.sample(unit_real<Real>(bits.x), unit_real<Real>(bits.y)), k);
     }
   }
@@ -118,9 +119,9 @@ void for_each_light_question(const Wave<Real>& wave, const Visitor& visit) {
         ask(h, light.kernel.sample(), 0, light);
     }
     for (const auto& light : lights.spheres)
-      visit_area<SphereLightView>(wave, *hits, light, of_light(light));
+      visit_area_one_by_one<SphereLightView>(wave, *hits, light, of_light(light));
     for (const auto& light : lights.rectangles)
-      visit_area<RectangleLightView>(wave, *hits, light, of_light(light));
+      visit_area_one_by_one<RectangleLightView>(wave, *hits, light, of_light(light));
   }
 }
 

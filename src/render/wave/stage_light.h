@@ -3,7 +3,7 @@
 // off.
 #pragma once
 
-#include "core/math/random.h"
+#include "render/wave/area_samples.h"
 #include "render/wave/meeting.h"
 
 namespace alhazen::render {
@@ -191,40 +191,14 @@ void shine_spots(Wave<Real>& wave) {
   }
 }
 
-// Sample k of an area light at hit h. The samples of one light at one branch of a pixel's ray trees
-// are one sequence, through all camera samples of the pixel: together they are spread over the
-// light as evenly as the samples of one.
-template <class Real, class Placed>
-Sample2d area_sample(const Wave<Real>& wave, const Placed& light, std::size_t h, std::uint32_t k) {
-  const std::size_t i = wave.hits.ray_of(h);
-  const std::uint64_t seed = mix_64(wave.rays.path[i], kFirstLightDimension + light.id);
-  const auto count = static_cast<std::uint32_t>(light.kernel.samples);
-  return sample_2d(seed, wave.slots.sample[wave.rays.slot[i]] * count + k);
-}
-
-// All the samples of the first hit, then those of the second, and so on: each lane is one sample.
 template <class Real, template <class> class Response, template <class> class View, class Placed>
 void shine_area(Wave<Real>& wave, const Placed& light) {
   using L = Wide<Real>;
-  const auto& list = wave.of(Response<L>::kKind);
-  const auto samples = static_cast<std::size_t>(light.kernel.samples);
-  const std::size_t count = list.size() * samples;
-  for (std::size_t first = 0; first < count; first += L::kWidth) {
-    const std::size_t lanes = std::min<std::size_t>(L::kWidth, count - first);
-    LaneInt<Real> hit[L::kWidth] = {};
-    Real u[L::kWidth] = {}, v[L::kWidth] = {};
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const std::size_t place = (first + lane) / samples, k = (first + lane) % samples;
-      hit[lane] = list[place];
-      const Sample2d bits = area_sample(wave, light, static_cast<std::size_t>(hit[lane]),
-                                        static_cast<std::uint32_t>(k));
-      u[lane] = unit_real<Real>(bits.x);
-      v[lane] = unit_real<Real>(bits.y);
-    }
-    const Entries<L> hits(IntOf<L>::load(hit), MaskOf<L>::first(static_cast<int>(lanes)));
-    const View<L> view(light.kernel, hits.of(wave.hits.position));
-    queue_light<Real, Response>(wave, hits, view.sample(L::load(u), L::load(v)), light);
-  }
+  for_lanes<L>(wave.of(Response<L>::kKind), [&](const Entries<L>& hits) {
+    visit_area<View>(wave, light, hits, [&](const Entries<L>& dealt, const LightSample<L>& sample) {
+      queue_light<Real, Response>(wave, dealt, sample, light);
+    });
+  });
 }
 
 template <class Real, template <class> class Response>
