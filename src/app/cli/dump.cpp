@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/explain_plan.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/streams.h"
 #include "core/base/file.h"
 #include "parser/lex/dump.h"
 #include "parser/parse/parse.h"
-#include "render/wave/plan.h"
 
 namespace alhazen {
 namespace {
@@ -54,7 +54,8 @@ ExitCode dump_plan(const SceneOptions& options) {
   if (const auto code = load_scene(options, loaded)) return *code;
   const Scene& scene = *loaded.evaluation.scene;
   const EffectSet effects = render::effects_of(scene);
-  return print(render::explain_text(render::make_plan(scene, effects), effects, loaded.sources));
+  const render::StagePlan plan = render::make_plan(scene, effects);
+  return print(explain_text({effects, plan, loaded.sources}));
 }
 
 }  // namespace

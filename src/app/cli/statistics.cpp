@@ -4,56 +4,39 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
-#include "app/cli/progress.h"
+#include "app/cli/quantity_text.h"
 #include "app/cli/render_values.h"
+#include "app/cli/stage_costs.h"
 
 namespace alhazen {
 namespace {
 
-// 1234567 as "1.23 M": three digits are what an eye takes in.
-std::string short_count(double count) {
-  for (const auto& [unit, scale] : {std::pair{" G", 1e9}, {" M", 1e6}, {" k", 1e3}}) {
-    if (count >= scale) return fmt::format("{:.3g}{}", count / scale, unit);
-  }
-  return fmt::format("{:.3g}", count);
-}
-
-std::string bytes_text(std::uint64_t bytes) {
-  const auto count = static_cast<double>(bytes);
-  if (count >= 1024.0 * 1024 * 1024) return fmt::format("{:.2f} GiB", count / 1024 / 1024 / 1024);
-  if (count >= 1024.0 * 1024) return fmt::format("{:.1f} MiB", count / 1024 / 1024);
-  return fmt::format("{:.1f} KiB", count / 1024);
-}
-
-std::string seconds_text(double seconds) {
-  return seconds < 60 ? fmt::format("{:.2f} s", seconds) : format_duration(seconds);
-}
-
 std::string ray_lines(const render::RenderStatistics& s) {
-  std::string text = fmt::format("  {:<22}{:>10}\n", "rays", short_count(double(s.rays())));
+  std::string text = fmt::format("  {:<22}{:>10}\n", "rays", count_text(double(s.rays())));
   const std::pair<const char*, std::uint64_t> kinds[] = {{"camera", s.camera_rays},
                                                          {"reflected", s.reflection_rays},
                                                          {"refracted", s.refraction_rays},
                                                          {"shadow", s.shadow_rays}};
   for (const auto& [kind, count] : kinds) {
-    if (count > 0) text += fmt::format("    {:<20}{:>10}\n", kind, short_count(double(count)));
+    if (count > 0) text += fmt::format("    {:<20}{:>10}\n", kind, count_text(double(count)));
   }
   if (s.cut_by_depth > 0) {
-    text += fmt::format("  {} rays ended at --max-depth\n", short_count(double(s.cut_by_depth)));
+    text += fmt::format("  {} rays ended at --max-depth\n", count_text(double(s.cut_by_depth)));
   }
   if (s.cut_by_weight > 0) {
-    text += fmt::format("  {} rays were below --cutoff\n", short_count(double(s.cut_by_weight)));
+    text += fmt::format("  {} rays were below --cutoff\n", count_text(double(s.cut_by_weight)));
   }
   return text;
 }
 
 std::string stage_lines(const render::RenderStatistics& s) {
-  std::string text = fmt::format("  {:<22}{:>10}{:>12}\n", "stages", "rays", "CPU time");
+  const StageCosts costs{s.stages, s.cpu_seconds};
+  std::string text = fmt::format("  {:<22}{}\n", "stages", stage_cost_heading());
   for (const render::StageCost& stage : s.stages) {
-    text += fmt::format("    {:<20}{:>10}{:>12}\n", render::info(stage.stage).name,
-                        short_count(double(stage.rays)), seconds_text(stage.cpu_seconds));
+    text += fmt::format("    {:<20}{}\n", render::info(stage.stage).name,
+                        stage_cost_row(stage, s.cpu_seconds));
   }
-  return text;
+  return text + fmt::format("    {:<20}{}\n", "everything else", other_cost_row(costs));
 }
 
 nlohmann::ordered_json to_json(const PictureReport& report) {
@@ -121,7 +104,7 @@ std::string statistics_text(const PictureReport& report) {
   text += fmt::format("  {:<22}{:>10}  ({} CPU on {} threads with {}, {} rays/s)\n", "rendered in",
                       seconds_text(s.wall_seconds), seconds_text(s.cpu_seconds), s.threads,
                       render::info(s.isa).name,
-                      short_count(double(s.rays()) / std::max(s.wall_seconds, 1e-9)));
+                      count_text(double(s.rays()) / std::max(s.wall_seconds, 1e-9)));
   text += fmt::format("  {:<22}{:>10}\n", "loaded, written in",
                       seconds_text(report.load_seconds + report.write_seconds));
   text += fmt::format("  {:<22}{:>10}\n", "peak memory", bytes_text(report.peak_memory_bytes));

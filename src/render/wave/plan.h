@@ -94,10 +94,4 @@ Status check_built_in(const EffectSet& effects, std::string_view left_out = kLef
 
 StagePlan make_plan(const Scene& scene, const EffectSet& effects, const PlanWants& wants = {});
 
-// One line a stage with its reasons; `sources` gives the lines of the scene. The JSON has the same.
-std::string explain_text(const StagePlan& plan, const EffectSet& effects,
-                         const SourceManager& sources);
-std::string explain_json(const StagePlan& plan, const EffectSet& effects,
-                         const SourceManager& sources);
-
 }  // namespace alhazen::render
