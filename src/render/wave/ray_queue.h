@@ -49,6 +49,12 @@ class RayQueue {
     passed[i] = straight_through;
   }
 
+  // Makes the queue `count` rays long; the new ones are for the caller to set.
+  void grow(std::size_t count) {
+    make_room(count);
+    size_ = count;
+  }
+
   // Becomes the rays order[0], order[1], ... order[count - 1] of `from`.
   void take(const RayQueue& from, const std::uint32_t* order, std::size_t count) {
     clear();

@@ -31,7 +31,8 @@ void place_by_filter(Wave<Real>& wave) {
   }
 }
 
-// Queues the rays that `make_ray` gives for the film points of several slots at once.
+// Queues the rays that `make_ray` gives for the film points of several slots at once: ray s is that
+// of slot s.
 template <class Real, class MakeRay>
 void push_camera_rays(Wave<Real>& wave, const MakeRay& make_ray) {
   using L = Wide<Real>;
@@ -43,13 +44,21 @@ void push_camera_rays(Wave<Real>& wave, const MakeRay& make_ray) {
     const FilmPoint<L> film{whole(slots.x), whole(slots.y), at.of(slots.offset_x),
                             at.of(slots.offset_y)};
     const CameraRay<L> ray = make_ray(film, at);
-    const Vectors<L> origin(ray.origin), direction(ray.direction);
-    for_each_lane(at.active(), [&](int k) {
-      const std::size_t s = at[k];
-      ++slots.rays[s];
-      wave.rays.push({origin[k], direction[k]}, {}, Rgb<Real>(Real(1)), static_cast<SlotId>(s),
-                     kVacuum, pixel_seed(wave.world.seed, slots.x[s], slots.y[s]), 0);
-    });
+    auto& rays = wave.rays;
+    const std::size_t first = rays.size();
+    rays.grow(first + static_cast<std::size_t>(count(at.active())));
+    at.store(ray.origin, rays.origin);
+    at.store(ray.direction, rays.direction);
+    at.store(Rgb<L>(L(1)), rays.weight);
+    rays.source.store(first, at.active(), IntOf<L>(-1), IntOf<L>(kNoFace),
+                      IntOf<L>(static_cast<int>(Side::kByDirection)), Vec3<L>());
+    for (std::size_t s = first; s < rays.size(); ++s) {
+      slots.rays[s] = 1;
+      rays.slot[s] = static_cast<SlotId>(s);
+      rays.medium[s] = kVacuum;
+      rays.path[s] = pixel_seed(wave.world.seed, slots.x[s], slots.y[s]);
+      rays.depth[s] = rays.passed[s] = 0;
+    }
   });
 }
 

@@ -24,28 +24,21 @@ void refract_in_glass(Wave<Real>& wave) {
   using L = Wide<Real>;
   for_lanes<L>(wave.of(SurfaceKind::glass), [&](const Entries<L>& hits) {
     const Meeting met(wave, hits);
-    std::array<MediumId, L::kWidth> here, behind;
+    std::array<MediumId, L::kWidth> behind{};
     const L eta = per_lane<L>(hits.active(), Real(1), [&](int k) {
       const std::size_t h = hits[k];
-      here[k] = wave.rays.medium[met.rays[k]];
       const Passage<Real> passage =
-          cross_surface(wave.world, wave.media, here[k], wave.hits.material_of(h), met.enters[k]);
-      behind[k] = passage.behind;
+          cross_surface(wave.world, wave.media, wave.rays.medium[met.rays[k]],
+                        wave.hits.material_of(h), wave.hits.hit.enters[h] != 0);
+      behind[static_cast<std::size_t>(k)] = passage.behind;
       return passage.ior_here / passage.ior_behind;
     });
     const DielectricInterface<L> interface = dielectric_interface(incident_cosine(met), eta);
-    const Vectors<L> position(met.position), mirrored(mirror_direction(met)),
-        onward(crossing_direction(met, eta, interface));
-    const Colors<L> reflected(met.weight * Rgb<L>(interface.reflectance)),
-        passed(interface.transmittance * met.weight);
-    for_each_lane(hits.active(), [&](int k) {
-      const std::size_t h = hits[k], parent = met.rays[k];
-      wave.spawn(true, parent, {position[k], mirrored[k]}, wave.source_at(h, false), reflected[k],
-                 here[k]);
-      if (interface.total_reflection[k]) return;
-      wave.spawn(false, parent, {position[k], onward[k]}, wave.source_at(h, true), passed[k],
-                 behind[k]);
-    });
+    const Offspring<L> passing{false, hits.active() && !interface.total_reflection,
+                               crossing_direction(met, eta, interface),
+                               interface.transmittance * met.weight, behind};
+    spawn(wave, met,
+          std::array{reflection(wave, met, hits.active(), Rgb<L>(interface.reflectance)), passing});
   });
 }
 

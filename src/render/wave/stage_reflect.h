@@ -3,7 +3,7 @@
 
 #include "render/surface/fresnel.h"
 #include "render/surface/refract.h"
-#include "render/wave/meeting.h"
+#include "render/wave/spawn.h"
 
 namespace alhazen::render {
 
@@ -26,15 +26,19 @@ L incident_cosine(const Meeting<L>& met) {
 }
 
 template <class Real, class L>
+Offspring<L> reflection(const Wave<Real>& wave, const Meeting<L>& met, MaskOf<L> exists,
+                        const Rgb<L>& reflectance) {
+  Offspring<L> rays{true, exists, mirror_direction(met), met.weight * reflectance, {}};
+  for_each_lane(exists, [&](int k) {
+    rays.medium[static_cast<std::size_t>(k)] = wave.rays.medium[met.rays[k]];
+  });
+  return rays;
+}
+
+template <class Real, class L>
 void spawn_reflections(Wave<Real>& wave, const Meeting<L>& met, MaskOf<L> which,
                        const Rgb<L>& reflectance) {
-  const Vectors<L> position(met.position), direction(mirror_direction(met));
-  const Colors<L> weight(met.weight * reflectance);
-  for_each_lane(which, [&](int k) {
-    const std::size_t parent = met.rays[k];
-    wave.spawn(true, parent, {position[k], direction[k]}, wave.source_at(met.hits[k], false),
-               weight[k], wave.rays.medium[parent]);
-  });
+  spawn(wave, met, std::array{reflection(wave, met, which, reflectance)});
 }
 
 template <class Real>

@@ -49,8 +49,8 @@ class TileRenderer {
   struct Pixel {
     std::int32_t x, y;
     std::uint32_t taken = 0, wanted = 0;
-    PixelAccumulator<4> radiance;  // and alpha
   };
+  using Accumulator = PixelAccumulator<4>;  // of radiance and alpha
   // Of each pixel, if there are data channels at all.
   struct PixelData {
     RunningMoments<3> albedo;
@@ -89,6 +89,10 @@ class TileRenderer {
   Integrator<Real> integrator_;
   SlotWants wants_;
   std::vector<Pixel> pixels_;
+  // Parallel to pixels_: the means of single samples, which are those samples, or else what adds
+  // many up. One of the two is empty.
+  std::vector<Accumulator::Value> single_;
+  std::vector<Accumulator> sums_;
   std::vector<PixelData> data_;     // parallel to pixels_, or empty
   std::vector<SampleRange> spans_;  // of the batch
   std::uint64_t samples_ = 0, center_rays_ = 0;

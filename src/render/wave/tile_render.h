@@ -29,10 +29,13 @@ void TileRenderer<Real>::start(PixelRect tile) {
     for (int left = tile.x; left < right; left += kBlock) {
       for (int y = top; y < std::min(top + kBlock, bottom); ++y) {
         for (int x = left; x < std::min(left + kBlock, right); ++x)
-          pixels_.push_back({x, y, 0, static_cast<std::uint32_t>(first), {}});
+          pixels_.push_back({x, y, 0, static_cast<std::uint32_t>(first)});
       }
     }
   }
+  const bool is_single = job_.settings.samples == 1;
+  single_.resize(is_single ? pixels_.size() : 0);
+  sums_.assign(is_single ? 0 : pixels_.size(), {});
   data_.clear();
   if (job_.options.aovs.any()) data_.resize(pixels_.size());
 }
@@ -92,7 +95,12 @@ void TileRenderer<Real>::collect(const std::vector<SampleRange>& spans) {
     for (std::uint32_t k = 0; k < span.count; ++k, ++slot) {
       const Rgbd radiance(slots.radiance[slot]);
       const double met = wants_.first_surface && slots.met_something[slot] != 0 ? 1 : 0;
-      pixel.radiance.add({radiance.r, radiance.g, radiance.b, met}, slots.negative[slot] != 0);
+      const Accumulator::Value value{radiance.r, radiance.g, radiance.b, met};
+      if (sums_.empty()) {
+        single_[span.pixel] = value;
+      } else {
+        sums_[span.pixel].add(value, slots.negative[slot] != 0);
+      }
       if (!data_.empty()) collect_data(slot, span.first + k, data_[span.pixel]);
       largest_dropped_weight_ = std::max(largest_dropped_weight_,
                                          static_cast<double>(largest_channel(slots.dropped[slot])));
@@ -136,9 +144,10 @@ bool TileRenderer<Real>::find_wanting() {
   const auto most = static_cast<std::uint32_t>(job_.settings.samples);
   const bool transparent = job_.settings.transparent_background;
   bool any = false;
-  for (Pixel& pixel : pixels_) {
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    Pixel& pixel = pixels_[k];
     if (pixel.taken >= most) continue;
-    const double error = pixel.radiance.standard_error(job_.world.filter, transparent ? 4 : 3);
+    const double error = sums_[k].standard_error(job_.world.filter, transparent ? 4 : 3);
     if (error <= adaptive->threshold) continue;
     pixel.wanted = std::min(most, 2 * pixel.taken);
     any = true;
@@ -153,7 +162,7 @@ void TileRenderer<Real>::finish(Picture& picture) {
     const std::size_t column = static_cast<std::size_t>(pixel.x - picture.window.x);
     const std::size_t row = static_cast<std::size_t>(pixel.y - picture.window.y);
     const std::size_t p = row * static_cast<std::size_t>(picture.window.width) + column;
-    const auto mean = pixel.radiance.mean(job_.world.filter);
+    const auto mean = sums_.empty() ? single_[k] : sums_[k].mean(job_.world.filter);
     std::copy(mean.begin(), mean.begin() + 3,
               picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * p));
     picture.alpha[p] = job_.settings.transparent_background ? static_cast<float>(mean[3]) : 1.0F;
