@@ -91,7 +91,7 @@ Status write_files(const RenderRequest& request, const PictureJob& job,
                    const render::ColorConfig& colors, const render::ExrFile& file,
                    PictureReport& report) {
   const Stopwatch watch;
-  Result<render::EncodedExr> exr = render::encode_exr(file);
+  Result<render::EncodedExr> exr = render::encode_exr(file, report.rendering.threads);
   if (!exr) return exr.error();
   std::string preview;
   if (!job.preview.empty()) {

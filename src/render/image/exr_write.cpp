@@ -4,6 +4,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfThreading.h>
 #include <algorithm>
 #include <exception>
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ namespace alhazen::render {
 namespace {
 
 // Rows that are converted and handed over at a time; a multiple of the 16 rows of a ZIP chunk.
-constexpr int kBandHeight = 64;
+constexpr int kBandHeight = 128;
 
 struct PlaneToWrite {
   ExrChannel channel;
@@ -134,7 +135,7 @@ void write_part(Imf::MultiPartOutputFile& out, int index, const PartToWrite& par
 
 }  // namespace
 
-Result<EncodedExr> encode_exr(const ExrFile& file) {
+Result<EncodedExr> encode_exr(const ExrFile& file, int threads) {
   if (const auto error = contradiction(file)) return *error;
   std::vector<PartToWrite> parts(1);
   append(parts[0], file.beauty, file.beauty_type);
@@ -159,10 +160,11 @@ Result<EncodedExr> encode_exr(const ExrFile& file) {
     if (parts.size() > 1) headers.push_back(data_header(file, channels_of(parts[1])));
     MemoryOutput stream;
     {
-      // No threads: the order of chunks, and so the bytes, must not depend on the machine.
-      constexpr int kThreads = 0;
+      // OpenEXR compresses chunks side by side and writes them in the order of the rows.
+      const int helpers = threads > 1 ? threads : 0;
+      if (Imf::globalThreadCount() < helpers) Imf::setGlobalThreadCount(helpers);
       Imf::MultiPartOutputFile out(stream, headers.data(), static_cast<int>(headers.size()), false,
-                                   kThreads);
+                                   helpers);
       for (std::size_t i = 0; i < parts.size(); ++i) {
         write_part(out, static_cast<int>(i), parts[i], file.data_window);
       }

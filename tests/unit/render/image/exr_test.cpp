@@ -213,6 +213,20 @@ TEST(Exr, SameDescriptionGivesTheSameBytes) {
   EXPECT_EQ(encoded(full_file()), encoded(full_file()));
 }
 
+TEST(Exr, AnyNumberOfThreadsGivesTheSameBytes) {
+  ExrFile file;
+  file.display_window = file.data_window = {0, 0, 70, 700};  // 44 chunks of rows, in several bands
+  file.beauty = FloatBuffer(70, 700, {"R", "G", "B", "A"});
+  for (std::size_t c = 0; c < 4; ++c) {
+    const auto samples = file.beauty.channel(c);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      samples[i] = static_cast<float>((i * i + c) % 977);
+  }
+  const std::string alone = encode_exr(file, 1).value().bytes;
+  for (const int threads : {2, 3, 8})
+    EXPECT_TRUE(encode_exr(file, threads).value().bytes == alone) << threads << " threads";
+}
+
 TEST(Exr, ContradictionsAreUsageErrors) {
   ExrFile wrong_size = full_file();
   wrong_size.data = FloatBuffer(19, 33, {"Z"});
