@@ -18,6 +18,31 @@ HitLanes<L> first_hits(const Wave<ScalarOf<L>>& wave, const Entries<L>& at) {
       IntOf<L>(-1), at.active());
 }
 
+// Hits of several lanes in memory, to be looked at one by one.
+template <class L>
+class HitNumbers {
+ public:
+  using Real = ScalarOf<L>;
+
+  explicit HitNumbers(const HitLanes<L>& hits)
+      : t_(hits.t),
+        shape_(hits.shape),
+        face_(hits.face),
+        enters_(hits.enters.bits()),
+        found_(hits.found.bits()) {}
+
+  std::optional<Hit<Real>> operator[](int lane) const {
+    if ((found_ >> lane & 1U) == 0) return std::nullopt;
+    return Hit<Real>{t_[lane], static_cast<ShapeId>(shape_[lane]), static_cast<int>(face_[lane]),
+                     (enters_ >> lane & 1U) != 0};
+  }
+
+ private:
+  Numbers<L> t_;
+  Numbers<IntOf<L>> shape_, face_;
+  std::uint32_t enters_, found_;
+};
+
 // Splits the generation into hits, sorted into the lists of their surface's kind, and escaped rays.
 template <class Real>
 void find_closest_hits(Wave<Real>& wave) {
@@ -34,6 +59,10 @@ void find_closest_hits(Wave<Real>& wave) {
 // of the line is visited once, in order, so this ends however many solids share a face.
 template <class Real>
 void keep_interface(Wave<Real>& wave, std::size_t i, std::optional<Hit<Real>> hit) {
+  if (!hit) {
+    wave.escaped.push(i);
+    return;
+  }
   const World<Real>& world = wave.world;
   MediumId& medium = wave.rays.medium[i];
   Source passed;  // remembers the faces passed at one point
@@ -69,10 +98,8 @@ template <class Real>
 void find_interfaces(Wave<Real>& wave) {
   using L = Wide<Real>;
   for_lanes<L>(wave.rays.size(), [&](const Entries<L>& at) {
-    const HitLanes<L> first = first_hits(wave, at);
-    for_each_lane(at.active(), [&](int k) {
-      keep_interface(wave, at[k], first.found[k] ? std::optional(first[k]) : std::nullopt);
-    });
+    const HitNumbers<L> first(first_hits(wave, at));
+    for_each_lane(at.active(), [&](int k) { keep_interface(wave, at[k], first[k]); });
   });
   wave.sort_hits();
 }

@@ -4,6 +4,7 @@
 #include "render/accel/shape_tree_lanes.h"
 #include "render/surface/absorption.h"
 #include "render/wave/stage_glass.h"
+#include "render/wave/stage_hits.h"
 
 namespace alhazen::render {
 
@@ -120,14 +121,13 @@ void add_through_glass(Wave<Real>& wave) {
   const ShadowQueue<Real>& paths = wave.light_paths;
   count_shadow_rays(wave);
   for_lanes<L>(paths.size(), [&](const Entries<L>& at) {
-    const HitLanes<L> first = closest_hits(
+    const HitNumbers<L> first(closest_hits(
         wave.world.tree, rays_at(paths, at), paths.source.departures(at),
         [&](int lane) { return paths.source[at[lane]]; }, at.of(paths.distance),
-        at.of(paths.light_shape), at.active());
+        at.of(paths.light_shape), at.active()));
     for_each_lane(at.active(), [&](int k) {
       const std::size_t i = at[k];
-      const auto hit = first.found[k] ? std::optional(first[k]) : std::nullopt;
-      wave.slots.radiance[paths.slot[i]] += paths.radiance[i] * follow_to_light(wave, i, hit);
+      wave.slots.radiance[paths.slot[i]] += paths.radiance[i] * follow_to_light(wave, i, first[k]);
     });
   });
 }
