@@ -103,12 +103,18 @@ render::CryptomatteLayer cryptomatte(std::string layer_name, const std::vector<s
   return layer;
 }
 
-template <class Record>
-std::vector<std::string> names_of(const std::vector<Record>& records, const char* kind) {
+std::vector<std::string> names_of(const ShapeList& shapes) {
   std::vector<std::string> names;
-  for (const Record& record : records) {
-    names.push_back(record.name.empty() ? fmt::format("{} {}", kind, names.size() + 1)
-                                        : record.name);
+  for (ShapeId id = 0; id < shapes.size(); ++id)
+    names.push_back(shapes.name(id));
+  return names;
+}
+
+std::vector<std::string> names_of(const std::vector<Material>& materials) {
+  std::vector<std::string> names;
+  for (const Material& material : materials) {
+    names.push_back(material.name.empty() ? fmt::format("material {}", names.size() + 1)
+                                          : material.name);
   }
   return names;
 }
@@ -143,11 +149,11 @@ render::ExrFile exr_file(const Scene& scene, const render::Picture& picture,
   file.data = data_buffer(picture);
   if (!picture.objects.empty()) {
     file.cryptomattes.push_back(
-        cryptomatte("CryptoObject", names_of(scene.shapes, "shape"), picture.objects, window));
+        cryptomatte("CryptoObject", names_of(scene.shapes), picture.objects, window));
   }
   if (!picture.materials.empty()) {
-    file.cryptomattes.push_back(cryptomatte("CryptoMaterial", names_of(scene.materials, "material"),
-                                            picture.materials, window));
+    file.cryptomattes.push_back(
+        cryptomatte("CryptoMaterial", names_of(scene.materials), picture.materials, window));
   }
   file.metadata.chromaticities = colors.working_chromaticities();
   file.metadata.camera_from_world = camera_from_world(scene.camera.frame);

@@ -78,7 +78,7 @@ class ShapesExport {
 
   void declare_materials() {
     std::vector<bool> seen(exporter_.scene.materials.size());
-    for (const Shape& shape : exporter_.scene.shapes) {
+    for (const Shape& shape : shapes()) {
       const Material& material = exporter_.scene.materials[shape.material];
       if (seen[shape.material] || !is_shareable(exporter_, material)) continue;
       seen[shape.material] = true;
@@ -92,10 +92,9 @@ class ShapesExport {
   }
 
   void write_shapes() {
-    const auto& shapes = exporter_.scene.shapes;
-    for (std::size_t i = 0; i < shapes.size();) {
+    for (std::size_t i = 0; i < shapes().size();) {
       std::size_t end = i + 1;
-      while (end < shapes.size() && joins_mesh(shapes[i], shapes[end]))
+      while (end < shapes().size() && joins_mesh(shapes()[i], shapes()[end]))
         ++end;
       write(i, end);
       i = end;
@@ -104,6 +103,7 @@ class ShapesExport {
 
  private:
   PovWriter& out() { return exporter_.out; }
+  const ShapeList& shapes() const { return exporter_.scene.shapes; }
   static std::string name_of(MaterialId id) { return fmt::format("material_{}", id); }
 
   // Triangles of one material that follow each other are one mesh: POV-Ray finds its way in a mesh
@@ -119,18 +119,18 @@ class ShapesExport {
 
   // Shapes begin .. end - 1 as one object.
   void write(std::size_t begin, std::size_t end) {
-    const Shape& shape = exporter_.scene.shapes[begin];
+    const Shape shape = shapes()[begin];
     const ShapeText text = shape_text(shape.geometry);
     say_what_differs(begin, end);
-    out().comment(origin_of(exporter_, shape.span, shape.name));
+    out().comment(origin_of(exporter_, shape.span, shapes().name(begin)));
     out().open(text.head);
     out().line(text.numbers);
     for (std::size_t i = begin + 1; i < end; ++i) {
-      if (!(exporter_.scene.shapes[i].span == exporter_.scene.shapes[i - 1].span)) {
-        out().comment(
-            origin_of(exporter_, exporter_.scene.shapes[i].span, exporter_.scene.shapes[i].name));
+      const Shape next = shapes()[i];
+      if (!(next.span == shapes()[i - 1].span)) {
+        out().comment(origin_of(exporter_, next.span, shapes().name(i)));
       }
-      out().line(corners(std::get<Triangle>(exporter_.scene.shapes[i].geometry)));
+      out().line(corners(std::get<Triangle>(next.geometry)));
     }
     wear_material(shape);
     if (shape.light != kNoId) no_shadow(shape);
@@ -139,16 +139,17 @@ class ShapesExport {
   }
 
   void say_what_differs(std::size_t begin, std::size_t end) {
-    const Shape& shape = exporter_.scene.shapes[begin];
+    const Shape shape = shapes()[begin];
     if (has_inside(exporter_.scene.materials[shape.material]) && !is_closed(shape.geometry) &&
         !std::holds_alternative<Triangle>(shape.geometry)) {
       exporter_.deviate(DeviationKind::open_solid, shape.span);
     }
     // Smooth triangles come by the thousand: the first of a mesh stands for all.
     for (std::size_t i = begin; i < end; ++i) {
-      const auto* triangle = std::get_if<Triangle>(&exporter_.scene.shapes[i].geometry);
+      const Shape next = shapes()[i];
+      const auto* triangle = std::get_if<Triangle>(&next.geometry);
       if (triangle == nullptr || !triangle->normals) continue;
-      exporter_.deviate(DeviationKind::smooth_normals, exporter_.scene.shapes[i].span);
+      exporter_.deviate(DeviationKind::smooth_normals, next.span);
       break;
     }
   }

@@ -255,9 +255,9 @@ std::string dump(const Scene& scene) {
     out += '\n';
   }
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    const Shape& s = scene.shapes[i];
-    out += fmt::format("shape {}: {} {} {} material {}", i, quoted(s.name), kind_name(s.geometry),
-                       text(s.geometry), s.material);
+    const Shape s = scene.shapes[i];
+    out += fmt::format("shape {}: {} {} {} material {}", i, quoted(scene.shapes.name(i)),
+                       kind_name(s.geometry), text(s.geometry), s.material);
     if (s.world_from_object) out += " world " + text(*s.world_from_object);
     if (s.light != kNoId) out += fmt::format(" light {}", s.light);
     out += '\n';

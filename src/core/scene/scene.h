@@ -10,7 +10,7 @@
 #include "core/scene/light.h"
 #include "core/scene/material.h"
 #include "core/scene/settings.h"
-#include "core/scene/shape.h"
+#include "core/scene/shape_list.h"
 #include "core/scene/texture.h"
 
 namespace alhazen {
@@ -23,7 +23,7 @@ struct Scene {
   std::vector<Material> materials;  // no two are equal in all but name and span
   std::vector<ImageFile> images;
   std::vector<Light> lights;
-  std::vector<Shape> shapes;
+  ShapeList shapes;
   std::uint64_t hash = 0;  // of all texts and values that made it (core/base/hash.h)
 };
 

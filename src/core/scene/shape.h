@@ -69,8 +69,11 @@ struct Shape {
   std::optional<Affined> world_from_object;
   MaterialId material = kNoId;
   LightId light = kNoId;  // the light whose visible surface this is
-  std::string name;       // what the author called it, or "sphere 3"; the id in Cryptomatte
+  // What the author called it, after the names of the groups around it: "table/top". Of a numbered
+  // shape those of the groups alone, "table/"; its kind and number complete it (ShapeList::name).
+  std::string name;
   SourceSpan span;
+  ShapeId number = 0;  // among those of its kind, from 1, where the author gave no name; else 0
 };
 
 }  // namespace alhazen

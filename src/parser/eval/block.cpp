@@ -66,7 +66,7 @@ Value vary_texture(Evaluator& evaluator, TextureId id, const ast::Block& block,
 Value vary_object(Evaluator& evaluator, const Object& object, const ast::Expr& expr,
                   const ast::Block& block, const ScopePtr& scope) {
   BlockBuilder builder(evaluator, object_schema(), block.head->span);
-  builder.add(Node{object.group, std::nullopt, kNoId, "", expr.span}, expr.span);
+  builder.add(Node{object.group, {std::nullopt, "", expr.span}}, expr.span);
   evaluator.fill(builder, block.body, scope);
   auto node = make_group(evaluator, builder, expr.span);
   return node ? Value(object_of(std::move(*node))) : Value(Poison{});

@@ -6,6 +6,7 @@
 
 #include "core/base/near_name.h"
 #include "parser/eval/habits.h"
+#include "parser/eval/place.h"
 #include "parser/eval/property_check.h"
 
 namespace alhazen::parser {
@@ -13,6 +14,9 @@ namespace {
 
 // Objects within objects are walked by recursion.
 constexpr int kMaxObjectDepth = 500;
+// A group of so few that adds nothing of its own is not kept as a group: its nodes are taken over.
+// Functions that call themselves make one such group for each call.
+constexpr std::size_t kMostSpliced = 32;
 
 std::string example_hint(const BlockSchema& schema) {
   return fmt::format("for instance `{}`", schema.example);
@@ -74,6 +78,17 @@ void BlockBuilder::take(const ast::Placement& item, SourceSpan span, const Scope
 }
 
 void BlockBuilder::add(Node node, SourceSpan span) {
+  if (const auto inner = bare_group(node); inner && inner->children.size() <= kMostSpliced) {
+    inner->children.for_each([&](const auto& content, const Placing& placing, MaterialId material) {
+      push(Node{content, placing, material}, span);
+      return !evaluator_.context().halted();
+    });
+  } else {
+    push(std::move(node), span);
+  }
+}
+
+void BlockBuilder::push(Node node, SourceSpan span) {
   if (const auto* inner = std::get_if<std::shared_ptr<const Group>>(&node.content)) {
     group_.node_count += (*inner)->node_count;
     group_.depth = std::max(group_.depth, (*inner)->depth + 1);
@@ -92,7 +107,7 @@ void BlockBuilder::add(Node node, SourceSpan span) {
 
 void BlockBuilder::take_property(const PropertySpec& spec, const ast::Property& item,
                                  SourceSpan span, const ScopePtr& scope) {
-  const Property* earlier = properties_.find(spec.name);
+  const Property* earlier = properties_.find(spec);
   if (earlier != nullptr && spec.presence != Presence::repeatable) {
     evaluator_.context()
         .report<DiagnosticKind::repeated_property>(item.name.span, spec.name)
@@ -230,7 +245,7 @@ std::optional<Properties> BlockBuilder::finish() {
   if (evaluator_.context().halted()) return std::nullopt;
   for (const auto& table : properties_.schema().tables) {
     for (const PropertySpec& spec : table) {
-      if (spec.presence != Presence::required || properties_.has(spec.name)) continue;
+      if (spec.presence != Presence::required || properties_.find(spec) != nullptr) continue;
       if (&properties_.schema() == &scene_schema()) {
         evaluator_.context()
             .report<DiagnosticKind::missing_camera>(properties_.head(), spec.name)

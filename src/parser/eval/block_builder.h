@@ -32,6 +32,7 @@ class BlockBuilder {
   std::shared_ptr<const Group> finish_group();
 
  private:
+  void push(Node node, SourceSpan span);
   void take_property(const PropertySpec& spec, const ast::Property& item, SourceSpan span,
                      const ScopePtr& scope);
   std::optional<Property> read(const PropertySpec& spec, const ast::Property& item, SourceSpan span,

@@ -90,9 +90,10 @@ void check_scene(Context& context, const Scene& scene) {
   if (!is_finite(scene.camera)) {
     context.report<DiagnosticKind::not_finite_in_scene>(scene.camera.span, "camera");
   }
-  for (const Shape& shape : scene.shapes) {
+  for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
+    const Shape shape = scene.shapes[id];
     if (!is_finite(shape.geometry)) {
-      context.report<DiagnosticKind::not_finite_in_scene>(shape.span, shape.name);
+      context.report<DiagnosticKind::not_finite_in_scene>(shape.span, scene.shapes.name(id));
     }
     if (!is_closed(shape.geometry)) check_open_shape(context, scene, shape);
   }

@@ -25,27 +25,24 @@ class Flattener {
 
   // As deep as objects nest (BlockBuilder bounds it).
   void walk(const Group& group, const Surroundings& around) {
-    for (const Node& node : group.children) {
-      if (context_.halted()) return;
-      std::visit(Overloaded{[&](const PlacedShape& s) { add(s, node, around); },
-                            [&](const PlacedLight& l) { add(l, node, around); },
-                            [&](const std::shared_ptr<const Group>& inner) {
-                              walk(*inner, inside(node, around));
-                            }},
-                 node.content);
-    }
+    group.children.for_each([&](const auto& content, const Placing& placing, MaterialId material) {
+      if (context_.halted()) return false;
+      add(content, placing, material, around);
+      return true;
+    });
   }
 
  private:
-  static std::optional<Affined> world_from(const Node& node, const Surroundings& around) {
-    if (!around.world_from_parent) return node.parent_from_child;
-    if (!node.parent_from_child) return around.world_from_parent;
-    return *around.world_from_parent * *node.parent_from_child;
+  static std::optional<Affined> world_from(const Placing& placing, const Surroundings& around) {
+    if (!around.world_from_parent) return placing.parent_from_child;
+    if (!placing.parent_from_child) return around.world_from_parent;
+    return *around.world_from_parent * *placing.parent_from_child;
   }
 
-  static Surroundings inside(const Node& node, const Surroundings& around) {
-    return {world_from(node, around), node.material != kNoId ? node.material : around.material,
-            node.name.empty() ? around.path : around.path + node.name + "/"};
+  void add(const std::shared_ptr<const Group>& group, const Placing& placing, MaterialId material,
+           const Surroundings& around) {
+    walk(*group, {world_from(placing, around), material != kNoId ? material : around.material,
+                  placing.name.empty() ? around.path : around.path + placing.name + "/"});
   }
 
   bool is_sound(const std::optional<Affined>& map, SourceSpan span) {
@@ -65,35 +62,45 @@ class Flattener {
     return default_material_;
   }
 
-  void add(const PlacedShape& placed, const Node& node, const Surroundings& around) {
+  template <class Kind>
+  void add(const Kind& geometry, const Placing& placing, MaterialId material,
+           const Surroundings& around) {
     Shape shape;
-    shape.geometry = placed.geometry;
-    shape.world_from_object = world_from(node, around);
-    if (!is_sound(shape.world_from_object, node.span)) return;
-    const MaterialId material = node.material != kNoId ? node.material : around.material;
+    shape.geometry = geometry;
+    shape.world_from_object = world_from(placing, around);
+    if (!is_sound(shape.world_from_object, placing.span)) return;
+    if (material == kNoId) material = around.material;
     shape.material = used_.material(material != kNoId ? material : default_material());
-    shape.span = node.span;
-    shape.name =
-        name_of(node, around, kind_name(shape.geometry), shape_counts_[shape.geometry.index()]);
-    scene_.shapes.push_back(std::move(shape));
+    shape.span = placing.span;
+    const ShapeId number = ++shape_counts_[shape.geometry.index()];
+    if (placing.name.empty()) shape.number = number;
+    shape.name = around.path + placing.name;
+    // What the objects around it add to each name is not counted anywhere else.
+    context_.spend_string(around.path.size(), placing.span);
+    scene_.shapes.push_back(shape);
   }
 
-  void add(const PlacedLight& placed, const Node& node, const Surroundings& around) {
+  void add(const PlacedLight& placed, const Placing& placing, MaterialId,
+           const Surroundings& around) {
     static constexpr const char* kKinds[] = {"point light",  "directional light", "spot light",
                                              "sphere light", "rectangle light",   "ambient light"};
-    const auto map = world_from(node, around);
-    if (!is_sound(map, node.span)) return;
+    const auto map = world_from(placing, around);
+    if (!is_sound(map, placing.span)) return;
     Light light;
     light.source = placed.source;
     if (map) {
-      const auto moved = transformed(context_, placed.source, *map, node.span);
+      const auto moved = transformed(context_, placed.source, *map, placing.span);
       if (!moved) return;
       light.source = *moved;
     }
     light.casts_shadows = placed.casts_shadows;
-    light.span = node.span;
+    light.span = placing.span;
     const std::size_t kind = light.source.index();
-    light.name = name_of(node, around, kKinds[kind], light_counts_[kind]);
+    ++light_counts_[kind];
+    light.name = around.path + (placing.name.empty()
+                                    ? fmt::format("{} {}", kKinds[kind], light_counts_[kind])
+                                    : placing.name);
+    context_.spend_string(around.path.size(), placing.span);
     if (placed.visible) add_visible_shape(light);
     scene_.lights.push_back(std::move(light));
   }
@@ -118,23 +125,14 @@ class Flattener {
     shape.name = light.name;
     shape.span = light.span;
     light.visible_shape = static_cast<ShapeId>(scene_.shapes.size());
-    scene_.shapes.push_back(std::move(shape));
-  }
-
-  std::string name_of(const Node& node, const Surroundings& around, const char* kind, int& count) {
-    ++count;
-    std::string name =
-        around.path + (node.name.empty() ? fmt::format("{} {}", kind, count) : node.name);
-    // What the objects around it add to each name is not counted anywhere else.
-    context_.spend_string(around.path.size(), node.span);
-    return name;
+    scene_.shapes.push_back(shape);
   }
 
   Context& context_;
   Scene& scene_;
   UsedRecords& used_;
   MaterialId default_material_ = kNoId;
-  std::array<int, std::variant_size_v<Geometry>> shape_counts_{};
+  std::array<ShapeId, std::variant_size_v<Geometry>> shape_counts_{};
   std::array<int, std::variant_size_v<LightSource>> light_counts_{};
 };
 

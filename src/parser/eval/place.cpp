@@ -12,13 +12,20 @@ namespace {
 bool lower_placing(Context& context, const Properties& p, Node& node) {
   const auto map = lower_transform(context, p);
   if (!map) return false;
-  if (!(*map == Affined())) node.parent_from_child = *map;
+  if (!(*map == Affined())) node.placing.parent_from_child = *map;
   if (p.has("material")) node.material = p.find("material")->value.as<MaterialRef>().id;
-  if (p.schema().find("name") != nullptr) node.name = p.text_or_empty("name");
+  if (p.schema().find("name") != nullptr) node.placing.name = p.text_or_empty("name");
   return true;
 }
 
 }  // namespace
+
+std::shared_ptr<const Group> bare_group(const Node& node) {
+  const auto* group = std::get_if<std::shared_ptr<const Group>>(&node.content);
+  const bool adds_nothing =
+      !node.placing.parent_from_child && node.placing.name.empty() && node.material == kNoId;
+  return group != nullptr && adds_nothing ? *group : nullptr;
+}
 
 bool Evaluator::is_placement(std::string_view name) {
   return name == "group" || name == "object" || name == "light" ||
@@ -29,7 +36,7 @@ std::optional<Node> make_shape(Evaluator& evaluator, const Properties& propertie
                                SourceSpan span) {
   const auto geometry = lower_shape(evaluator.context(), properties);
   if (!geometry) return std::nullopt;
-  Node node{PlacedShape{*geometry}, std::nullopt, kNoId, "", span};
+  Node node{*geometry, {std::nullopt, "", span}};
   if (!lower_placing(evaluator.context(), properties, node)) return std::nullopt;
   return node;
 }
@@ -37,12 +44,13 @@ std::optional<Node> make_shape(Evaluator& evaluator, const Properties& propertie
 std::optional<Node> make_group(Evaluator& evaluator, BlockBuilder& builder, SourceSpan span) {
   const auto properties = builder.finish();
   if (!properties) return std::nullopt;
-  Node node{builder.finish_group(), std::nullopt, kNoId, "", span};
+  Node node{builder.finish_group(), {std::nullopt, "", span}};
   if (!lower_placing(evaluator.context(), *properties, node)) return std::nullopt;
   return node;
 }
 
 Object object_of(Node node) {
+  if (auto inner = bare_group(node)) return Object{std::move(inner)};
   auto group = std::make_shared<Group>();
   group->node_count = 2;
   group->depth = 1;
@@ -97,7 +105,7 @@ std::optional<Node> Evaluator::place_value(const ast::Expr& expr, SourceSpan spa
     if (value.is(Type::function)) d.hint("call it: `name(...)`");
     return std::nullopt;
   }
-  return Node{value.as<Object>().group, std::nullopt, kNoId, "", span};
+  return Node{value.as<Object>().group, {std::nullopt, "", span}};
 }
 
 std::optional<Node> Evaluator::place_light(const ast::Property& item, SourceSpan span,
@@ -113,11 +121,11 @@ std::optional<Node> Evaluator::place_light(const ast::Property& item, SourceSpan
   const Properties& properties = *holder->find("light")->block;
   const auto light = lower_light(context_, properties);
   if (!light) return std::nullopt;
-  Node node{*light, std::nullopt, kNoId, "", span};
+  Node node{*light, {std::nullopt, "", span}};
   const auto map = lower_transform(context_, properties);
   if (!map) return std::nullopt;
-  if (!(*map == Affined())) node.parent_from_child = *map;
-  node.name = properties.text_or_empty("name");
+  if (!(*map == Affined())) node.placing.parent_from_child = *map;
+  node.placing.name = properties.text_or_empty("name");
   return node;
 }
 

@@ -13,6 +13,8 @@ namespace alhazen::parser {
 std::optional<Node> make_shape(Evaluator& evaluator, const Properties& properties, SourceSpan span);
 std::optional<Node> make_group(Evaluator& evaluator, BlockBuilder& builder, SourceSpan span);
 
+// The group that a node is, where it neither moves it nor gives it a material or a name; else null.
+std::shared_ptr<const Group> bare_group(const Node& node);
 // One node as a value.
 Object object_of(Node node);
 

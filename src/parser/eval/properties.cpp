@@ -17,6 +17,13 @@ const Property* Properties::find(std::string_view name) const {
   return nullptr;
 }
 
+const Property* Properties::find(const PropertySpec& spec) const {
+  for (const Property& property : written_) {
+    if (property.spec == &spec) return &property;
+  }
+  return nullptr;
+}
+
 SourceSpan Properties::span(std::string_view name) const {
   const Property* property = find(name);
   return property != nullptr ? property->value_span : head_;

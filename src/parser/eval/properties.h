@@ -21,13 +21,16 @@ struct Property {
 
 class Properties {
  public:
-  Properties(const BlockSchema& schema, SourceSpan head) : schema_(&schema), head_(head) {}
+  Properties(const BlockSchema& schema, SourceSpan head) : schema_(&schema), head_(head) {
+    written_.reserve(4);  // most blocks say no more
+  }
 
   const BlockSchema& schema() const { return *schema_; }
   // The name of the block, where messages about it as a whole point.
   SourceSpan head() const { return head_; }
 
   const Property* find(std::string_view name) const;
+  const Property* find(const PropertySpec& spec) const;
   bool has(std::string_view name) const { return find(name) != nullptr; }
   // Of the value, or of the block's name where the property is not written.
   SourceSpan span(std::string_view name) const;

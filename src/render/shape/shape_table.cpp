@@ -94,7 +94,7 @@ class ShapeTable<Real>::Builder {
 };
 
 template <class Real>
-ShapeTable<Real>::ShapeTable(const std::vector<Shape>& shapes, Vec3d world_origin)
+ShapeTable<Real>::ShapeTable(const ShapeList& shapes, Vec3d world_origin)
     : world_origin_(world_origin) {
   Builder builder(*this, world_origin);
   for (const Shape& shape : shapes)

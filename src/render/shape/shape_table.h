@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/scene/shape_list.h"
 #include "render/shape/bounds.h"
 #include "render/shape/convert.h"
 #include "render/shape/doubt.h"
@@ -46,7 +47,7 @@ template <class Real>
 class ShapeTable {
  public:
   // Shapes keep their order: a ShapeId here is one in the scene.
-  ShapeTable(const std::vector<Shape>& shapes, Vec3d world_origin);
+  ShapeTable(const ShapeList& shapes, Vec3d world_origin);
 
   ShapeId size() const { return static_cast<ShapeId>(entries_.size()); }
   // What was subtracted: scene position = position + world_origin.
