@@ -81,7 +81,8 @@ void Evaluator::fill(BlockBuilder& builder, const ast::Body& body, const ScopePt
     return;
   }
   ++nesting_;
-  run(body.items, {new_scope(scope), builder, nullptr});
+  const ScopeLease inside(scopes_, scope);
+  run(body.items, {*inside, builder, nullptr});
   --nesting_;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "core/base/near_name.h"
+#include "core/base/small_vector.h"
 #include "parser/eval/block_builder.h"
 #include "parser/eval/evaluator.h"
 #include "parser/eval/place.h"
@@ -34,7 +35,7 @@ Value Evaluator::call_function(const ast::Expr& expr, const ast::Call& call,
   }
   // Arguments see the caller's names, defaults those of the function and the parameters before.
   const std::size_t count = definition.parameters.size();
-  std::vector<const ast::Argument*> given(count, nullptr);
+  SmallVector<const ast::Argument*, 8> given(count);
   bool failed = false;
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     const ast::Argument& argument = call.arguments[i];
@@ -74,7 +75,7 @@ Value Evaluator::call_function(const ast::Expr& expr, const ast::Call& call,
     given[slot] = &argument;
   }
   if (failed) return Poison{};
-  std::vector<Value> values(count);
+  SmallVector<Value, 8> values(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (given[i] != nullptr) {
       values[i] = evaluate(*given[i]->value, scope);
@@ -88,19 +89,19 @@ Value Evaluator::call_function(const ast::Expr& expr, const ast::Call& call,
     }
   }
   if (failed) return Poison{};
-  const ScopePtr inside = new_scope(function.scope->shared_from_this());
+  const ScopeLease inside(scopes_, function.scope->shared_from_this());
   context_.enter_call(expr.span, definition.name.text);
   ++call_depth_;
   for (std::size_t i = 0; i < count; ++i) {
     const ast::Parameter& parameter = definition.parameters[i];
-    if (given[i] == nullptr) values[i] = evaluate(*parameter.default_value, inside);
+    if (given[i] == nullptr) values[i] = evaluate(*parameter.default_value, *inside);
     inside->define(parameter.name.text, std::move(values[i]), parameter.name.span);
   }
   Value result;
   if (const auto* expression = std::get_if<ast::ExprPtr>(&definition.body)) {
-    result = evaluate(**expression, inside);
+    result = evaluate(**expression, *inside);
   } else {
-    result = run_function_body(expr, definition, std::get<ast::Body>(definition.body), inside);
+    result = run_function_body(expr, definition, std::get<ast::Body>(definition.body), *inside);
   }
   --call_depth_;
   context_.leave();
@@ -112,7 +113,8 @@ Value Evaluator::run_function_body(const ast::Expr& expr, const ast::Function& f
                                    const ast::Body& body, const ScopePtr& scope) {
   BlockBuilder builder(*this, group_schema(), expr.span);
   ReturnSlot slot;
-  run(body.items, {new_scope(scope), builder, &slot});
+  const ScopeLease inside(scopes_, scope);
+  run(body.items, {*inside, builder, &slot});
   if (context_.halted()) return Poison{};
   if (slot.value) {
     if (!builder.empty()) {

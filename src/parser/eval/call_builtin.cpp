@@ -16,11 +16,13 @@ std::size_t required_count(const BuiltinFunction& function) {
   return count;
 }
 
+using Slots = SmallVector<const ast::Argument*, 6>;
+
 // Which parameter each argument is for; nothing after a report.
-std::optional<std::vector<const ast::Argument*>> match(Context& context, const ast::Call& call,
-                                                       const BuiltinFunction& function) {
+std::optional<Slots> match(Context& context, const ast::Call& call,
+                           const BuiltinFunction& function) {
   const std::size_t count = function.parameters.size();
-  std::vector<const ast::Argument*> slots(count, nullptr);
+  Slots slots(count);
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     const ast::Argument& argument = call.arguments[i];
     std::size_t slot = i;
@@ -35,7 +37,7 @@ std::optional<std::vector<const ast::Argument*>> match(Context& context, const a
         return std::nullopt;
       }
     }
-    if (slot >= count && function.variadic) slots.resize(slot + 1, nullptr);
+    if (slot >= count && function.variadic) slots.push_back(nullptr);
     if (slot >= slots.size()) {
       context
           .report<DiagnosticKind::wrong_argument_count>(
@@ -56,7 +58,7 @@ std::optional<std::vector<const ast::Argument*>> match(Context& context, const a
     if (slots[i] != nullptr) continue;
     const bool may_be_left_out = function.variadic && i + 1 == count && i > 0;
     if (may_be_left_out) {
-      slots.resize(i);
+      slots.pop_back();
       break;
     }
     context
@@ -79,7 +81,7 @@ Value Evaluator::call_builtin(const ast::Expr& expr, const ast::Call& call,
   for (std::size_t i = 0; i < slots->size(); ++i) {
     const ast::Argument* argument = (*slots)[i];
     if (argument == nullptr) {
-      checked.values.emplace_back();
+      checked.values.push_back(Value());
       checked.spans.push_back(expr.span);
       continue;
     }

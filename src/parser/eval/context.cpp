@@ -33,15 +33,11 @@ std::vector<TraceFrame> Context::trace() const {
   return out;
 }
 
-bool Context::spend_fuel(std::uint64_t units, SourceSpan at) {
+bool Context::refuse_fuel(SourceSpan at) {
   if (halted()) return false;
-  if (units > fuel_left()) {
-    halt<DiagnosticKind::fuel_exhausted>(at, options_.limits.fuel)
-        .hint("is there a recursion that does not end, or a loop within loops?");
-    return false;
-  }
-  fuel_used_ += units;
-  return true;
+  halt<DiagnosticKind::fuel_exhausted>(at, options_.limits.fuel)
+      .hint("is there a recursion that does not end, or a loop within loops?");
+  return false;
 }
 
 bool Context::spend_string(std::uint64_t bytes, SourceSpan at) {

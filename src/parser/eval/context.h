@@ -46,12 +46,17 @@ class Context {
 
   // Once true, the evaluation unwinds without doing anything more.
   bool halted() const {
-    if (sink_.full()) sink_.note_truncated();
-    return halted_ || sink_.full();
+    if (!sink_.full()) return halted_;
+    sink_.note_truncated();
+    return true;
   }
 
   // Each takes from a limit; false, after a report at `at`, when it is used up.
-  bool spend_fuel(std::uint64_t units, SourceSpan at);
+  bool spend_fuel(std::uint64_t units, SourceSpan at) {
+    if (halted() || units > fuel_left()) return refuse_fuel(at);
+    fuel_used_ += units;
+    return true;
+  }
   bool spend_string(std::uint64_t bytes, SourceSpan at);
   bool spend_list(std::uint64_t elements, SourceSpan at);
   // What it costs to go once over so many bytes.
@@ -80,6 +85,8 @@ class Context {
     SourceSpan site;
     std::string_view callee;  // empty: an include
   };
+
+  bool refuse_fuel(SourceSpan at);
 
   SourceManager& sources_;
   DiagnosticSink& sink_;

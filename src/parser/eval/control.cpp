@@ -26,11 +26,12 @@ Flow Evaluator::run_for(const ast::For& loop, const Body& body) {
   const std::size_t errors_before = context_.sink().error_count();
   for (double k = 0; k < count; ++k) {
     if (!context_.spend_fuel(1, loop.sequence->span)) return Flow::returned;
-    const ScopePtr scope = new_scope(body.scope);
+    const ScopeLease scope(scopes_, body.scope);
     Value value = is_list ? sequence.elements()[static_cast<std::size_t>(k)]
                           : element_of(*sequence.as<IntervalPtr>(), k);
     scope->define(loop.variable.text, std::move(value), loop.variable.span);
-    if (run(loop.body.items, {new_scope(scope), body.target, body.result}) == Flow::returned) {
+    const ScopeLease inside(scopes_, *scope);
+    if (run(loop.body.items, {*inside, body.target, body.result}) == Flow::returned) {
       return Flow::returned;
     }
     // What is wrong in one turn is likely wrong in all.
@@ -43,7 +44,8 @@ Flow Evaluator::run_if(const ast::If& statement, const Body& body) {
   const auto holds = evaluate_condition(*statement.condition, "`if`", body.scope);
   if (!holds) return Flow::next;
   const auto run_body = [&](const ast::Body& chosen) {
-    return run(chosen.items, {new_scope(body.scope), body.target, body.result});
+    const ScopeLease inside(scopes_, body.scope);
+    return run(chosen.items, {*inside, body.target, body.result});
   };
   if (*holds) return run_body(statement.then_body);
   if (const auto* otherwise = std::get_if<ast::Body>(&statement.else_branch)) {

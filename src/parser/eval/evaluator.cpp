@@ -6,7 +6,7 @@
 namespace alhazen::parser {
 
 Evaluator::Evaluator(Context& context, Evaluation& out)
-    : context_(context), out_(out), root_(new_scope(nullptr)), text_hash_(fnv1a_64("")) {}
+    : context_(context), out_(out), root_(scopes_.take(nullptr)), text_hash_(fnv1a_64("")) {}
 
 Evaluator::~Evaluator() {
   // A scope holds functions that hold the scope.

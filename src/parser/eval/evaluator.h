@@ -15,7 +15,6 @@
 namespace alhazen::parser {
 
 class BlockBuilder;
-using ScopePtr = std::shared_ptr<Scope>;
 using Items = std::vector<ast::ItemPtr>;
 
 // Whether the items after this one still run.
@@ -122,10 +121,9 @@ class Evaluator {
   std::optional<Node> place_light(const ast::Property& item, SourceSpan span,
                                   const ScopePtr& scope);
 
-  ScopePtr new_scope(const ScopePtr& parent) { return std::make_shared<Scope>(parent); }
-
   Context& context_;
   Evaluation& out_;
+  ScopePool scopes_;
   ScopePtr root_;                                                       // of the main text
   std::unordered_map<std::string, std::unique_ptr<ParsedFile>> files_;  // by canonical path
   std::vector<ast::ExprPtr> define_values_;

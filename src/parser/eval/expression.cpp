@@ -3,6 +3,7 @@
 
 #include "core/base/near_name.h"
 #include "core/base/overloaded.h"
+#include "core/base/small_vector.h"
 #include "parser/eval/color_convert.h"
 #include "parser/eval/evaluator.h"
 #include "parser/eval/habits.h"
@@ -148,7 +149,7 @@ Value Evaluator::evaluate_list(const ast::Expr& expr, const ast::ListLiteral& li
 
 // a + b + c + ... is deep to the left; a loop takes it without stack.
 Value Evaluator::evaluate_chain(const ast::Expr& expr, const ScopePtr& scope) {
-  std::vector<const ast::Binary*> chain;
+  SmallVector<const ast::Binary*, 8> chain;
   const ast::Expr* leftmost = &expr;
   while (const auto* binary = std::get_if<ast::Binary>(&leftmost->node)) {
     chain.push_back(binary);
@@ -156,8 +157,8 @@ Value Evaluator::evaluate_chain(const ast::Expr& expr, const ScopePtr& scope) {
   }
   if (!context_.spend_fuel(chain.size(), expr.span)) return Poison{};
   Value value = evaluate(*leftmost, scope);
-  for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
-    const ast::Binary& binary = **it;
+  for (std::size_t i = chain.size(); i-- > 0;) {
+    const ast::Binary& binary = *chain[i];
     const bool is_and = binary.op == ast::BinaryOperator::logical_and;
     if (!is_and && binary.op != ast::BinaryOperator::logical_or) {
       const Value right = evaluate(*binary.right, scope);

@@ -60,7 +60,7 @@ std::optional<Value> Evaluator::override_for(const ast::Param& param, const Valu
   }
   // Only what is built in is visible: the value does not depend on where the parameter stands.
   define_values_.push_back(std::move(expr));
-  const Value value = evaluate(*define_values_.back(), new_scope(nullptr));
+  const Value value = evaluate(*define_values_.back(), std::make_shared<Scope>(nullptr));
   if (value.is_poison()) return std::nullopt;
   if (value.type() != default_value.type()) {
     context_

@@ -82,6 +82,7 @@ bool check_property(Context& context, const PropertySpec& spec, const Value& val
     return false;
   }
   if (!spec.words.empty()) return check_word(context, spec, value.text(), span);
+  if (spec.range == NumberRange()) return true;
   // The bound of a texture's colours is what it may reflect.
   Value bounded = value;
   if (value.is(Type::texture)) bounded = context.store().largest(value.as<TextureRef>().id);

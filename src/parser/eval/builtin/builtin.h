@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/small_vector.h"
 #include "parser/eval/context.h"
 #include "parser/eval/value.h"
 
@@ -14,9 +15,9 @@ namespace alhazen::parser {
 // The checked arguments of one call of a built-in function.
 struct BuiltinCall {
   Context& context;
-  SourceSpan span;            // of the call
-  std::vector<Value> values;  // one for each parameter, poison where it was left out
-  std::vector<SourceSpan> spans;
+  SourceSpan span;               // of the call
+  SmallVector<Value, 6> values;  // one for each parameter, poison where it was left out
+  SmallVector<SourceSpan, 6> spans;
 
   bool has(std::size_t i) const { return i < values.size() && !values[i].is_poison(); }
   double number(std::size_t i) const { return values[i].number(); }

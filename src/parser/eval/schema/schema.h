@@ -23,6 +23,7 @@ struct NumberRange {
   constexpr bool contains(double value) const {
     return (min_open ? value > min : value >= min) && (max_open ? value < max : value <= max);
   }
+  friend constexpr bool operator==(const NumberRange&, const NumberRange&) = default;
 };
 constexpr NumberRange at_least(double min) {
   return {.min = min};
