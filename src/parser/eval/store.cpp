@@ -12,6 +12,7 @@ namespace {
 // Two records have one key if and only if they are equal field by field; -0 and 0 are the same.
 class Key {
  public:
+  Key() { bytes_.reserve(256); }
   Key& add(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x + 0.0);
     bytes_.append(reinterpret_cast<const char*>(&bits), sizeof bits);
@@ -99,42 +100,58 @@ void add_scattering(Key& key, const Scattering& scattering) {
              scattering);
 }
 
-// The id of the record with this key; `make` appends it when it is new.
-template <class Map, class Make>
-auto find_or_add(Map& ids, std::string key, Make make) {
-  const auto next = static_cast<typename Map::mapped_type>(ids.size());
-  const auto [it, inserted] = ids.try_emplace(std::move(key), next);
-  if (inserted) make();
-  return it->second;
-}
-
-}  // namespace
-
-TextureId Store::add(Texture texture) {
+std::string key_of(const Texture& texture) {
   Key key;
   add_pattern(key, texture.pattern);
   // One colour everywhere looks the same however it is mapped.
   if (!std::holds_alternative<SolidPattern>(texture.pattern)) {
     key.add(static_cast<std::uint64_t>(texture.mapping)).add(texture.pattern_from_mapped);
   }
-  return find_or_add(texture_ids_, key.take(), [&] {
-    largest_.push_back(bound(texture.pattern));
-    textures_.push_back(std::move(texture));
-  });
+  return key.take();
 }
 
-MaterialId Store::add(Material material) {
+std::string key_of(const Material& material) {
   Key key;
   add_scattering(key, material.scattering);
   key.add(material.emission);
   key.add(std::uint64_t{material.one_sided_emission});
-  return find_or_add(material_ids_, key.take(), [&] { materials_.push_back(std::move(material)); });
+  return key.take();
+}
+
+std::string key_of(const ImageFile& image) {
+  Key key;
+  key.add(image.path).add(image.color_space);
+  return key.take();
+}
+
+}  // namespace
+
+template <class Record>
+std::uint32_t Store::Interned<Record>::add(Record record) {
+  const std::string key = key_of(record);
+  const std::size_t hash = std::hash<std::string>()(key);
+  const auto [first, last] = ids_.equal_range(hash);
+  for (auto it = first; it != last; ++it) {
+    if (key_of(records_[it->second]) == key) return it->second;
+  }
+  const auto id = static_cast<std::uint32_t>(records_.size());
+  ids_.emplace(hash, id);
+  records_.push_back(std::move(record));
+  return id;
+}
+
+TextureId Store::add(Texture texture) {
+  const TextureId id = textures_.add(std::move(texture));
+  if (id == largest_.size()) largest_.push_back(bound(textures_[id].pattern));
+  return id;
+}
+
+MaterialId Store::add(Material material) {
+  return materials_.add(std::move(material));
 }
 
 ImageId Store::add(ImageFile image) {
-  Key key;
-  key.add(image.path).add(image.color_space);
-  return find_or_add(image_ids_, key.take(), [&] { images_.push_back(std::move(image)); });
+  return images_.add(std::move(image));
 }
 
 void Store::name_material(MaterialId id, std::string_view name) {

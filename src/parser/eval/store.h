@@ -31,14 +31,23 @@ class Store {
  private:
   Rgbd bound(const Pattern& pattern) const;
 
-  std::vector<Texture> textures_;
+  // Records, found by the hash of their bytes, written out field by field.
+  template <class Record>
+  class Interned {
+   public:
+    std::uint32_t add(Record record);
+    const Record& operator[](std::uint32_t id) const { return records_[id]; }
+    Record& operator[](std::uint32_t id) { return records_[id]; }
+
+   private:
+    std::vector<Record> records_;
+    std::unordered_multimap<std::size_t, std::uint32_t> ids_;
+  };
+
+  Interned<Texture> textures_;
   std::vector<Rgbd> largest_;
-  std::vector<Material> materials_;
-  std::vector<ImageFile> images_;
-  // Keys are the values' bytes, written out field by field.
-  std::unordered_map<std::string, TextureId> texture_ids_;
-  std::unordered_map<std::string, MaterialId> material_ids_;
-  std::unordered_map<std::string, ImageId> image_ids_;
+  Interned<Material> materials_;
+  Interned<ImageFile> images_;
 };
 
 }  // namespace alhazen::parser
