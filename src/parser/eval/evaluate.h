@@ -25,7 +25,8 @@ struct Define {
 // A scene is untrusted input: each of these ends in an error of ErrorCode::limit that says what to
 // do about it. Counts are of one evaluation as a whole.
 struct EvalLimits {
-  std::uint64_t fuel = 50'000'000;  // one unit for each expression, item and turn of a loop
+  // One unit for each expression, item and turn of a loop: 200 for each of a million shapes.
+  std::uint64_t fuel = 200'000'000;
   int call_depth = 200;
   int nesting = 1000;  // of evaluations within each other: bounds the machine's stack
   int include_depth = 16;
