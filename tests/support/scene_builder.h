@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <vector>
 
 #include "core/scene/scene.h"
 
@@ -32,6 +33,13 @@ class SceneBuilder {
   ShapeId add(Geometry geometry, MaterialId worn) {
     scene.shapes.push_back({std::move(geometry), std::nullopt, worn, kNoId, "", {}});
     return static_cast<ShapeId>(scene.shapes.size() - 1);
+  }
+  // `change(Shape&)` makes the shape another one.
+  template <class Change>
+  void change(ShapeId id, Change change) {
+    std::vector<Shape> shapes(scene.shapes.begin(), scene.shapes.end());
+    change(shapes[id]);
+    scene.shapes = shapes;
   }
   void light(LightSource source) {
     scene.lights.push_back({std::move(source), true, kNoId, "", {}});

@@ -34,7 +34,7 @@ Geometry ShapeList::geometry(const Entry& entry) const {
   (std::make_index_sequence<std::variant_size_v<Geometry>>());
 }
 
-Shape ShapeList::operator[](std::size_t id) const {
+const Shape ShapeList::operator[](std::size_t id) const {
   const Entry& entry = entries_[id];
   const Common& common = commons_[entry.common];
   const ShapeId number = common.numbered ? entry.index + 1 - common.not_numbered : 0;

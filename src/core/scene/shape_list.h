@@ -23,9 +23,9 @@ class ShapeList {
 
   std::size_t size() const { return entries_.size(); }
   bool empty() const { return entries_.empty(); }
-  // Put together from its parts: a value, not a place that can be assigned to. Precondition: there
-  // is such a shape.
-  Shape operator[](std::size_t id) const;
+  // Put together from its parts: a value, not a place; const, so that what looks like an assignment
+  // to a part of it is an error. Precondition: there is such a shape.
+  const Shape operator[](std::size_t id) const;  // NOLINT(readability-const-return-type)
   // What people know it by: its name, completed by "sphere 3" where it is numbered.
   std::string name(std::size_t id) const;
 

@@ -54,9 +54,11 @@ int changed_by_invisible_box(Precision p, double s, double gap, double turned_de
     b.background(0.5);
     b.add(Plane{{0, 1, 0}, 0}, b.diffuse(0.9));
     if (with_box) {
-      b.add(Box{s * Vec3d(-1, gap, -1), s * Vec3d(1, 1, 1)}, b.glass(1));
-      if (turned_deg != 0)
-        b.scene.shapes.back().world_from_object = rotation({0, 1, 0}, turned_deg);
+      const ShapeId box = b.add(Box{s * Vec3d(-1, gap, -1), s * Vec3d(1, 1, 1)}, b.glass(1));
+      const auto turn = [&](Shape& shape) {
+        shape.world_from_object = rotation({0, 1, 0}, turned_deg);
+      };
+      if (turned_deg != 0) b.change(box, turn);
     }
     b.light(PointLight{s * Vec3d(1, 5, -2), s * s * Rgbd(20), Falloff::inverse_square});
     set_size(b, side_for(48));

@@ -16,8 +16,8 @@ std::vector<double> behind(Things things, Precision p, double s) {
   const MaterialId air = b.glass(1);
   if (things == Things::ball) b.add(Sphere{s * Vec3d(0.3, 0.1, -1), s}, air);
   if (things == Things::box) {
-    b.add(Box{s * Vec3d(-1, -1, -1), s * Vec3d(1, 0.8, 1)}, air);
-    b.scene.shapes.back().world_from_object = rotation({0, 1, 0}, 17);
+    const ShapeId box = b.add(Box{s * Vec3d(-1, -1, -1), s * Vec3d(1, 0.8, 1)}, air);
+    b.change(box, [](Shape& shape) { shape.world_from_object = rotation({0, 1, 0}, 17); });
   }
   if (things == Things::nest) {
     // Eight materials, so that every surface is an interface of its own.

@@ -21,10 +21,11 @@ std::vector<double> boxes(Precision p, double s, int parts, double turned_deg) {
   const MaterialId glass = b.glass(1.5, (1 / s) * Rgbd(0.2, 0.1, 0.4));
   const double cuts[] = {-1, 0.25, 1};
   const auto add = [&](Vec3d min, Vec3d max) {
-    b.add(Box{s * min, s * max}, glass);
-    if (turned_deg != 0) {
-      b.scene.shapes.back().world_from_object = rotation(normalized(Vec3d(1, 2, 3)), turned_deg);
-    }
+    const auto turn = [&](Shape& shape) {
+      shape.world_from_object = rotation(normalized(Vec3d(1, 2, 3)), turned_deg);
+    };
+    const ShapeId box = b.add(Box{s * min, s * max}, glass);
+    if (turned_deg != 0) b.change(box, turn);
   };
   if (parts == 1) add({-1, -1, -1}, {1, 1, 1});
   if (parts == 2) {

@@ -76,7 +76,11 @@ class PlacedScene {
     b_.scene.camera.projection = PerspectiveCamera{fov_deg, std::nullopt};
   }
   Scene finish() {
-    if (place_.shapes_reversed) std::reverse(b_.scene.shapes.begin(), b_.scene.shapes.end());
+    if (place_.shapes_reversed) {
+      std::vector<Shape> shapes(b_.scene.shapes.begin(), b_.scene.shapes.end());
+      std::reverse(shapes.begin(), shapes.end());
+      b_.scene.shapes = shapes;
+    }
     if (place_.lights_reversed) std::reverse(b_.scene.lights.begin(), b_.scene.lights.end());
     return std::move(b_.scene);
   }

@@ -95,8 +95,12 @@ RC_GTEST_PROP(ExportPov, NoNameIsCode, ()) {
     return *rc::gen::container<std::string>(
         rc::gen::elementOf(std::string("\r\n\"*/\\#{}a \0\x1a\xc2\x85", 16)));
   };
-  for (Shape& shape : read.scene.shapes)
+  ShapeList named;
+  for (Shape shape : read.scene.shapes) {
     shape.name = name();
+    named.push_back(shape);
+  }
+  read.scene.shapes = named;
   for (Material& material : read.scene.materials)
     material.name = name();
   for (Light& light : read.scene.lights)

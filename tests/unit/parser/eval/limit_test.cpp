@@ -119,7 +119,7 @@ TEST(Limits, Shapes) {
   options.limits.shapes = 10;
   expect_error("for i in 0 .. 11 { sphere { } }", DiagnosticKind::too_many_shapes, options);
   expect_error(
-      "fn f(o, n) = if n == 0 then o else f(group { object o }, n - 1)\n"
+      "fn f(o, n) = if n == 0 then o else f(group { object o  translate x }, n - 1)\n"
       "object f(sphere { }, 30)",
       DiagnosticKind::too_many_shapes, options);
 }

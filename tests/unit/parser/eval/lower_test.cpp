@@ -14,7 +14,7 @@ Scene scene_of(const std::string& text) {
   return e.result.scene.value_or(Scene{});
 }
 Affined world(const Scene& scene, std::size_t shape) {
-  return scene.shapes.at(shape).world_from_object.value_or(Affined());
+  return scene.shapes[shape].world_from_object.value_or(Affined());
 }
 
 TEST(Transform, AppliesInTheOrderWritten) {
@@ -96,7 +96,7 @@ light rectangle { corner <0, 0, 0>  edge_u x  edge_v z  scale <1, -1, 1> })");
   const auto& ball = std::get<SphereLight>(s.lights[1].source);
   EXPECT_EQ(ball.center, (Vec3d{2, 0, 0}));
   EXPECT_EQ(ball.radius, 2);
-  const Shape& seen = s.shapes.at(s.lights[1].visible_shape);
+  const Shape& seen = s.shapes[s.lights[1].visible_shape];
   EXPECT_EQ(seen.light, 1U);
   EXPECT_TRUE(std::holds_alternative<Black>(s.materials[seen.material].scattering));
   EXPECT_EQ(s.materials[seen.material].emission, Rgbd(3.0));
@@ -132,8 +132,8 @@ TEST(Settings, AdaptiveSamplingHasRoomUnlessToldOtherwise) {
 
 TEST(Names, SayThePathOfGroups) {
   const Scene s = scene_of("group { name \"table\"  sphere { name \"top\" }  sphere { } }");
-  EXPECT_EQ(s.shapes[0].name, "table/top");
-  EXPECT_EQ(s.shapes[1].name, "table/sphere 2");
+  EXPECT_EQ(s.shapes.name(0), "table/top");
+  EXPECT_EQ(s.shapes.name(1), "table/sphere 2");
 }
 
 TEST(Dump, IsStable) {

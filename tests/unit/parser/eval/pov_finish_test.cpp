@@ -12,7 +12,7 @@ PovFinish finish_of(const std::string& text) {
   evaluate_into(e, kCamera + text);
   EXPECT_TRUE(e.result.scene) << e.diagnostics();
   if (!e.result.scene) return {};
-  return std::get<PovFinish>(e.scene().materials.at(e.scene().shapes.at(0).material).scattering);
+  return std::get<PovFinish>(e.scene().materials.at(e.scene().shapes[0].material).scattering);
 }
 
 TEST(PovFinish, DefaultsAreThoseOfTheRecord) {

@@ -30,7 +30,7 @@ for i in 0 .. 12 {
   EXPECT_EQ(std::get<PerspectiveCamera>(scene.camera.projection).fov_deg, 40);
   // The fourth of the ring stands at 90 degrees: its x is exactly 0.
   EXPECT_EQ(std::get<Sphere>(scene.shapes[5].geometry).center, (Vec3d{0, 0.3, 3}));
-  EXPECT_EQ(scene.shapes[5].name, "sphere 5");
+  EXPECT_EQ(scene.shapes.name(5), "sphere 5");
   ASSERT_EQ(e.result.params.size(), 1U);
   EXPECT_EQ(e.result.params[0].range, "1 .. 3");
 }

@@ -49,7 +49,8 @@ TEST(Plan, PovFinishCallsForWhatItDoes) {
   SceneBuilder b = plain_scene();
   PovFinish m;
   m.color = b.color(Rgbd(0.5));
-  b.scene.shapes[0].material = b.material(m);
+  const MaterialId worn = b.material(m);
+  b.change(0, [&](Shape& shape) { shape.material = worn; });
   EXPECT_EQ(names_of(plan_of(b.scene)),
             (std::vector<std::string>{"pinhole_rays", "closest_hits", "surfaces", "plain_colors",
                                       "pov_glow", "point_on_pov", "opaque_shadows"}));
@@ -57,7 +58,8 @@ TEST(Plan, PovFinishCallsForWhatItDoes) {
   m.diffuse = 0;
   m.filter = 0.5;
   m.reflection.max = Rgbd(1);
-  b.scene.shapes[0].material = b.material(m);
+  const MaterialId clear = b.material(m);
+  b.change(0, [&](Shape& shape) { shape.material = clear; });
   EXPECT_EQ(names_of(plan_of(b.scene)),
             (std::vector<std::string>{"pinhole_rays", "interfaces", "surfaces", "plain_colors",
                                       "pov_reflection", "pov_transmission"}));
@@ -65,7 +67,8 @@ TEST(Plan, PovFinishCallsForWhatItDoes) {
 
 TEST(Plan, CoatOverBlackOnlyReflects) {
   SceneBuilder b = plain_scene();
-  b.scene.shapes[0].material = b.material(Coat{1.5, Rgbd(0), b.color(Rgbd(0))});
+  const MaterialId worn = b.material(Coat{1.5, Rgbd(0), b.color(Rgbd(0))});
+  b.change(0, [&](Shape& shape) { shape.material = worn; });
   EXPECT_EQ(names_of(plan_of(b.scene)),
             (std::vector<std::string>{"pinhole_rays", "closest_hits", "surfaces", "coat"}));
 }

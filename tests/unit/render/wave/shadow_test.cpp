@@ -146,7 +146,7 @@ TEST(Shadow, LightDoesNotShadowItself) {
   const ShapeId lamp = b.add(Sphere{{0, 5, 0}, 1}, b.material(Black{}, Rgbd(7)));
   b.light(SphereLight{{0, 5, 0}, 1, Rgbd(7), 256});
   b.scene.lights[0].visible_shape = lamp;
-  b.scene.shapes[lamp].light = 0;
+  b.change(lamp, [](Shape& shape) { shape.light = 0; });
   b.scene.settings.width = b.scene.settings.height = 1;
   b.look({0, 1, 0}, {0, -1, 0}, {0, 0, 1}, 1e-3);
   EXPECT_NEAR(pixels_of(b.scene)[0], 7.0 / 25, 1e-3);

@@ -67,12 +67,12 @@ SceneBuilder one_pixel() {
 TEST(Signature, TellsDecisionsApartAndNothingElse) {
   const std::uint64_t base = signature_of(one_pixel());
   SceneBuilder larger = one_pixel();
-  std::get<Sphere>(larger.scene.shapes[0].geometry).radius = 1.25;
+  larger.change(0, [](Shape& s) { std::get<Sphere>(s.geometry).radius = 1.25; });
   EXPECT_EQ(signature_of(larger), base);
   SceneBuilder other_shape = one_pixel();
-  other_shape.scene.shapes[0].geometry = Box{{-1, -1, -1}, {1, 1, 1}};
+  other_shape.change(0, [](Shape& s) { s.geometry = Box{{-1, -1, -1}, {1, 1, 1}}; });
   SceneBuilder empty = one_pixel();
-  std::get<Sphere>(empty.scene.shapes[0].geometry).center.x = 3;
+  empty.change(0, [](Shape& s) { std::get<Sphere>(s.geometry).center.x = 3; });
   SceneBuilder shadowed = one_pixel();
   shadowed.add(Sphere{{1.5, 1.5, -5}, 0.5}, shadowed.diffuse(0.5));
   SceneBuilder behind = one_pixel();
