@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <iterator>
 #include <string>
 #include <tuple>
@@ -20,6 +21,7 @@ class ShapeList {
 
   ShapeList() = default;
   ShapeList(const std::vector<Shape>& shapes);  // NOLINT: shapes are shapes
+  ShapeList(std::initializer_list<Shape> shapes) : ShapeList(std::vector<Shape>(shapes)) {}
 
   std::size_t size() const { return entries_.size(); }
   bool empty() const { return entries_.empty(); }

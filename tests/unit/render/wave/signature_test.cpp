@@ -78,7 +78,8 @@ TEST(Signature, TellsDecisionsApartAndNothingElse) {
   SceneBuilder behind = one_pixel();
   std::get<PointLight>(behind.scene.lights[0].source).position.z = 9;
   SceneBuilder mirrored = one_pixel();
-  mirrored.scene.shapes[0].material = mirrored.mirror(0.5);
+  const MaterialId mirror = mirrored.mirror(0.5);
+  mirrored.change(0, [&](Shape& s) { s.material = mirror; });
   const std::set<std::uint64_t> all = {base,
                                        signature_of(other_shape),
                                        signature_of(empty),
