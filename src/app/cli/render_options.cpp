@@ -122,8 +122,8 @@ void add_run_options(CommandLine& line, RenderRequest& request) {
   line.value_option("--threads", "N", request.threads, whole(1, kMaxThreads),
                     "[one a core]; the picture is the same for any number");
   line.value_option("--isa", "NAME", request.isa, to_isa,
-                    "instruction set: auto [default], baseline, avx2 or avx512; the picture is\n"
-                    "the same with any");
+                    "instruction set: auto [default], baseline, avx2 or avx512; the\n"
+                    "picture is the same with any");
   line.value_option("--progress", "STYLE", request.progress, to_progress_style,
                     "on stderr: bar, plain, json, none, or auto [bar on a terminal]");
   line.text_option("--stats", "FILE", request.statistics,
