@@ -33,7 +33,7 @@ struct EvalLimits {
   std::uint64_t source_bytes = 64ULL << 20;  // of all texts together
   std::uint64_t string_bytes = 64ULL << 20;
   std::uint64_t list_elements = 4'000'000;
-  std::uint64_t shapes = 1'000'000;  // and lights and groups
+  std::uint64_t shapes = 2'000'000;  // and lights and groups
   std::uint64_t printed_lines = 10'000;
 };
 
