@@ -50,7 +50,7 @@ function(alhazen_isa_kernels target)
                                                   ${PROJECT_BINARY_DIR}/generated)
     target_link_libraries(${objects} PRIVATE alhazen_options nlohmann_json::nlohmann_json fmt::fmt)
     target_compile_options(${objects} PRIVATE ${flags_of_${isa}}
-      $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+      -fno-gnu-unique --param=inline-unit-growth=400 --param=large-function-growth=1000 --param=large-unit-insns=100000 --param=max-inline-insns-single=400 --param=max-inline-insns-auto=60)
     target_compile_definitions(${objects} PRIVATE ALHAZEN_ISA_NAME=${isa} ALHAZEN_WITHOUT_QUAD)
     set(whole ${CMAKE_CURRENT_BINARY_DIR}/${objects}_whole.o)
     set(sealed ${CMAKE_CURRENT_BINARY_DIR}/${objects}.o)

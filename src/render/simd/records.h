@@ -72,6 +72,20 @@ inline Record<L> gathered(const Record<ScalarOf<L>>* records, const IntOf<L>& in
   }
 }
 
+// words[index] as lanes of L's whole numbers; lanes outside of the mask read nothing and are 0. The
+// words are below 2^31.
+template <class L>
+inline IntOf<L> gathered_words(const std::uint32_t* words, const IntOf<L>& index,
+                               MaskOf<L> active) {
+  if constexpr (std::same_as<L, ScalarOf<L>>) {
+    return active ? static_cast<IntOf<L>>(words[index]) : 0;
+  } else {
+    using Words = Lanes<std::int32_t, L::kWidth>;
+    return IntOf<L>(Words::gather(reinterpret_cast<const std::int32_t*>(words), Words(index),
+                                  typename Words::Mask(active)));
+  }
+}
+
 // The numbers of W lanes, to be dealt out again: each of them to several lanes.
 template <class L>
 class DealtLanes {

@@ -35,6 +35,10 @@ class Column {
   void make_room(std::size_t count) {
     if (room() < count) values_.resize(std::max(2 * values_.size(), count + kMaxLanes));
   }
+  // The entries [from, from + count) become those from `to` <= from on.
+  void move(std::size_t to, std::size_t from, std::size_t count) {
+    if (to != from) std::copy_n(data() + from, count, data() + to);
+  }
 
  private:
   std::vector<T> values_;
@@ -55,6 +59,11 @@ struct Vec3Column {
     y.make_room(count);
     z.make_room(count);
   }
+  void move(std::size_t to, std::size_t from, std::size_t count) {
+    x.move(to, from, count);
+    y.move(to, from, count);
+    z.move(to, from, count);
+  }
 };
 
 template <class Real>
@@ -71,6 +80,11 @@ struct RgbColumn {
     r.make_room(count);
     g.make_room(count);
     b.make_room(count);
+  }
+  void move(std::size_t to, std::size_t from, std::size_t count) {
+    r.move(to, from, count);
+    g.move(to, from, count);
+    b.move(to, from, count);
   }
 };
 

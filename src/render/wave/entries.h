@@ -64,6 +64,20 @@ class Entries {
     store(color.b, column.b);
   }
 
+  // Gives the active ones, wherever they stand, these numbers; no others.
+  void put(const L& numbers, Column<Real>& column) const {
+    if (in_row_) {
+      store(select(active_, numbers, L::load(column.data() + first_)), column);
+    } else {
+      for_each_lane(active_, [&](int k) { column[(*this)[k]] = numbers[k]; });
+    }
+  }
+  void put(const Rgb<L>& color, RgbColumn<Real>& column) const {
+    put(color.r, column.r);
+    put(color.g, column.g);
+    put(color.b, column.b);
+  }
+
  private:
   static Mask below(std::size_t first, std::size_t end) {
     return Mask::first(static_cast<int>(std::min<std::size_t>(L::kWidth, end - first)));
@@ -109,45 +123,6 @@ void store_lanes(MaskOf<L> which, const Rgb<L>& color, RgbColumn<ScalarOf<L>>& c
   color.g.store_compressed(which, column.g.data() + i);
   color.b.store_compressed(which, column.b.data() + i);
 }
-
-// Places in a queue for some of the lanes, where they do not stand one after the other.
-template <class L>
-class LanePlaces {
- public:
-  void add(int lane, std::size_t place) {
-    lane_[count_] = static_cast<std::uint32_t>(lane);
-    place_[count_++] = static_cast<std::uint32_t>(place);
-  }
-  std::uint32_t count() const { return count_; }
-  // Calls visit(lane, place).
-  template <class Visitor>
-  void for_each(const Visitor& visit) const {
-    for (std::uint32_t j = 0; j < count_; ++j)
-      visit(static_cast<int>(lane_[j]), static_cast<std::size_t>(place_[j]));
-  }
-
-  template <class Numbers, class T>
-  void put(const Numbers& lanes, Column<T>& column) const {
-    T numbers[L::kWidth];
-    lanes.store(numbers);
-    for (std::uint32_t j = 0; j < count_; ++j)
-      column[place_[j]] = numbers[lane_[j]];
-  }
-  void put(const Vec3<L>& v, Vec3Column<ScalarOf<L>>& column) const {
-    put(v.x, column.x);
-    put(v.y, column.y);
-    put(v.z, column.z);
-  }
-  void put(const Rgb<L>& color, RgbColumn<ScalarOf<L>>& column) const {
-    put(color.r, column.r);
-    put(color.g, column.g);
-    put(color.b, column.b);
-  }
-
- private:
-  std::uint32_t count_ = 0;
-  std::uint32_t lane_[L::kWidth], place_[L::kWidth];
-};
 
 // Lanes that are found one by one: number(lane) where the mask is set, else `otherwise`.
 template <class L, class Number>

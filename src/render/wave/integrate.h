@@ -31,7 +31,7 @@ class Integrator {
 
   // Follows every ray of every sample in wave().slots to its end; false when it was cancelled.
   bool run_batch() {
-    wave_.media.clear();
+    wave_.media.forget_much();
     wave_.rays.clear();
     waiting_.clear();
     stopwatch_.restart();

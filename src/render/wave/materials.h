@@ -19,6 +19,10 @@ namespace alhazen::render {
 enum class SurfaceKind : std::uint8_t { black, matte, glossy, coat, mirror, metal, glass, pov };
 inline constexpr std::size_t kSurfaceKinds = 8;
 
+// What a straight path finds at a surface: an end, a dielectric, or a finish of POV-Ray's that lets
+// light through.
+enum class Way : std::uint32_t { ends, through_glass, through_clear };
+
 // All that sorting hits by what their surfaces do asks of a material.
 struct MaterialRoute {
   SurfaceKind kind = SurfaceKind::black;
@@ -61,12 +65,14 @@ class MaterialTable {
         record.solid_color = everywhere.value_or(Rgb<Real>{});
       }
       routes_.push_back(record);
+      ways_.push_back(static_cast<std::uint32_t>(way_of(record)));
       records_.push_back(record);
       const auto* glass = std::get_if<Glass>(&material.scattering);
       priorities_.push_back(glass ? glass->priority : 0);
     }
   }
 
+  std::size_t size() const { return records_.size(); }
   const MaterialRecord<Real>& operator[](MaterialId id) const { return records_[id]; }
   // The same member of the records of several materials, which is a record of
   // numbers.
@@ -77,10 +83,28 @@ class MaterialTable {
     constexpr auto kStride = static_cast<int>(sizeof(MaterialRecord<Real>) / sizeof(Real));
     return gathered<L, Record>(&(records_.data()->*member), id, active, kStride);
   }
+  template <class L>
+  L numbers_of(Real MaterialRecord<Real>::*member, const IntOf<L>& id, MaskOf<L> active) const {
+    constexpr auto kStride = static_cast<int>(sizeof(MaterialRecord<Real>) / sizeof(Real));
+    if (!any(active)) return L(0);
+    if (all_same(id, active)) {
+      return L(records_[static_cast<std::size_t>(first_of(id, active))].*member);
+    }
+    return L::gather(&(records_.data()->*member), id * IntOf<L>(kStride), active);
+  }
+  // The Way of each lane's material.
+  template <class L>
+  IntOf<L> ways_of(const IntOf<L>& id, MaskOf<L> active) const {
+    return gathered_words<L>(ways_.data(), id, active);
+  }
   const MaterialRoute& route(MaterialId id) const { return routes_[id]; }
   const std::vector<int>& priorities() const { return priorities_; }
 
  private:
+  static Way way_of(const MaterialRoute& route) {
+    if (route.kind == SurfaceKind::glass) return Way::through_glass;
+    return route.pov_clear ? Way::through_clear : Way::ends;
+  }
   static void fill(const Diffuse& m, const Surroundings& around, MaterialRecord<Real>& record) {
     record.color = m.albedo;
     if (shows_highlight(m, around)) {
@@ -122,6 +146,7 @@ class MaterialTable {
 
   std::vector<MaterialRecord<Real>> records_;
   std::vector<MaterialRoute> routes_;  // a few bytes a material: they stay in the cache
+  std::vector<std::uint32_t> ways_;
   std::vector<int> priorities_;
 };
 

@@ -2,6 +2,7 @@
 // of.
 #pragma once
 
+#include "render/surface/absorption.h"
 #include "render/wave/wave.h"
 
 namespace alhazen::render {
@@ -34,6 +35,49 @@ Passage<Real> cross_shape(const World<Real>& world, MediumPool& media, MediumId 
   }
   const Real ior = world.ior_of(media.current(here, world.materials.priorities()));
   return {here, false, ior, ior};
+}
+
+// The surfaces of dielectric solids where nothing is nested: from empty space into the solid, or
+// out of it again. There the list of media is the solid's material or none, and crossing is from
+// one to the other; nothing has to be looked up, so lanes go together.
+template <class L>
+struct PlainPassage {
+  MaskOf<L> is;     // the others mean nothing
+  IntOf<L> behind;  // a MediumId
+  L ior_here, ior_behind;
+
+  PlainPassage(const World<ScalarOf<L>>& world, const IntOf<L>& here, const IntOf<L>& material,
+               MaskOf<L> enters, MaskOf<L> active)
+      : is(is_plain(here, material, enters, active)),
+        behind(select(enters, material, IntOf<L>(kVacuum))) {
+    const L ior =
+        world.materials.template numbers_of<L>(&MaterialRecord<ScalarOf<L>>::ior, material, is);
+    ior_here = select(enters, L(1), ior);
+    ior_behind = select(enters, ior, L(1));
+  }
+
+  static MaskOf<L> is_plain(const IntOf<L>& here, const IntOf<L>& material, MaskOf<L> enters,
+                            MaskOf<L> active) {
+    return active && ((enters && here == IntOf<L>(kVacuum)) || (!enters && here == material));
+  }
+};
+
+// The share of light that is left after `distance` in what fills the lists of media (Beer and
+// Lambert's law); 1 where that is empty space, and in lanes that are not active.
+template <class L>
+Rgb<L> share_left(const Wave<ScalarOf<L>>& wave, const IntOf<L>& medium, const L& distance,
+                  MaskOf<L> active) {
+  const MaskOf<L> filled = active && medium != IntOf<L>(kVacuum);
+  if (!any(filled)) return Rgb<L>(L(1));
+  IntOf<L> inside = medium;
+  for_each_lane(filled, [&](int k) {
+    const auto list = static_cast<MediumId>(medium[k]);
+    if (wave.media.is_single(list)) return;
+    inside.set(k, wave.media.current(list, wave.world.materials.priorities()));
+  });
+  const Rgb<L> absorption = wave.world.materials.template records_of<L>(
+      &MaterialRecord<ScalarOf<L>>::absorption, inside, filled);
+  return select(filled, transmitted_share(absorption, distance), Rgb<L>(L(1)));
 }
 
 // The list of media that a ray is in before it meets a surface. Who leaves a solid it was not known

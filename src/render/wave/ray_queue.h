@@ -20,9 +20,9 @@ class RayQueue {
   SourceColumn<Real> source;
   RgbColumn<Real> weight;  // of the radiance that comes along the ray, in the sample's
   Column<SlotId> slot;
-  Column<MediumId> medium;       // what the ray starts in
+  Column<LaneInt<Real>> medium;  // a MediumId: what the ray starts in
   Column<std::uint64_t> path;    // names the branch of the ray tree: seeds its random numbers
-  Column<std::uint32_t> depth;   // reflections and refractions so far
+  Column<LaneInt<Real>> depth;   // reflections and refractions so far
   Column<std::uint32_t> passed;  // surfaces that the same line has come straight through
 
   std::size_t size() const { return size_; }
@@ -53,6 +53,23 @@ class RayQueue {
   void grow(std::size_t count) {
     make_room(count);
     size_ = count;
+  }
+
+  // Only the first `count` rays stay.
+  void cut(std::size_t count) { size_ = count; }
+
+  // The rays [from, from + count) become those from `to` <= from on, and the last of the queue.
+  void close_gap(std::size_t to, std::size_t from, std::size_t count) {
+    origin.move(to, from, count);
+    direction.move(to, from, count);
+    source.move(to, from, count);
+    weight.move(to, from, count);
+    slot.move(to, from, count);
+    medium.move(to, from, count);
+    path.move(to, from, count);
+    depth.move(to, from, count);
+    passed.move(to, from, count);
+    size_ = to + count;
   }
 
   // Becomes the rays order[0], order[1], ... order[count - 1] of `from`.

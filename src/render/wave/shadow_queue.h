@@ -15,7 +15,7 @@ class ShadowQueue {
   Column<LaneInt<Real>> light_shape;
   RgbColumn<Real> radiance;
   Column<SlotId> slot;
-  Column<MediumId> medium;
+  Column<LaneInt<Real>> medium;  // a MediumId
 
   std::size_t size() const { return size_; }
   void clear() {

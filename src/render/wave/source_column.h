@@ -56,6 +56,14 @@ class SourceColumn {
       remember(i, from.memories_[static_cast<std::size_t>(from.memory[k])]);
     }
   }
+  // The entries [from, from + count) become those from `to` <= from on.
+  void move(std::size_t to, std::size_t from, std::size_t count) {
+    shape.move(to, from, count);
+    face.move(to, from, count);
+    side.move(to, from, count);
+    arrival.move(to, from, count);
+    memory.move(to, from, count);
+  }
   void make_room(std::size_t count) {
     shape.make_room(count);
     face.make_room(count);

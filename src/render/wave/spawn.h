@@ -14,89 +14,107 @@ struct Offspring {
   MaskOf<L> exists;
   Vec3<L> direction;
   Rgb<L> weight;
-  std::array<MediumId, L::kWidth> medium;
+  IntOf<L> medium;  // a MediumId
 };
 
-// As Wave::spawn: those of the rays that are sent on; the others are counted, each sample's in the
-// order of its hits.
-template <class Real, class L, std::size_t kCount>
-std::array<MaskOf<L>, kCount> going_on(Wave<Real>& wave, const Meeting<L>& met,
-                                       const std::array<Offspring<L>, kCount>& offspring) {
-  std::uint32_t deepest = 0;
-  for_each_lane(met.hits.active(), [&](int k) {
-    if (wave.rays.depth[met.rays[k]] >= wave.world.max_depth) deepest |= 1U << k;
-  });
-  const auto too_deep = MaskOf<L>::from_bits(deepest);
-  std::array<MaskOf<L>, kCount> going, cut;
-  MaskOf<L> any_cut = false;
-  for (std::size_t c = 0; c < kCount; ++c) {
-    const MaskOf<L> some = offspring[c].exists && !is_black(offspring[c].weight);
-    const MaskOf<L> dim = largest_channel(offspring[c].weight) < L(wave.world.cutoff);
-    wave.counters.cut_by_depth += static_cast<std::uint64_t>(count(some && too_deep));
-    wave.counters.cut_by_weight += static_cast<std::uint64_t>(count(some && !too_deep && dim));
-    if (!wave.slots.margin.empty()) {
-      const Numbers<L> largest(largest_channel(offspring[c].weight));
+// Sends on what the hits of one list give rise to, kCount rays of each at most. Those of one kind
+// stand together, in the order of the hits: rays that go the same way share lanes in the next
+// generation. Of one sample that order is the same whatever else is in the list.
+template <class Real, std::size_t kCount>
+class Spawner {
+ public:
+  using L = Wide<Real>;
+  using Mask = MaskOf<L>;
+  using Int = IntOf<L>;
+
+  Spawner(Wave<Real>& wave, std::size_t hits) : wave_(wave) {
+    const std::size_t first = wave.next.size();
+    const std::size_t room = hits + L::kWidth;  // lanes are stored whole, the last ones too
+    for (std::size_t c = 0; c < kCount; ++c)
+      begin_[c] = end_[c] = first + c * room;
+    wave.next.grow(first + kCount * room);
+  }
+  ~Spawner() {
+    std::size_t end = end_[0];
+    for (std::size_t c = 1; c < kCount; ++c) {
+      wave_.next.close_gap(end, begin_[c], end_[c] - begin_[c]);
+      end += end_[c] - begin_[c];
+    }
+    wave_.next.cut(end);
+  }
+  Spawner(const Spawner&) = delete;
+  Spawner& operator=(const Spawner&) = delete;
+
+  void add(const Meeting<L>& met, const std::array<Offspring<L>, kCount>& offspring) {
+    const Int depth = met.rays.of(wave_.rays.depth);
+    const Mask too_deep = depth >= Int(static_cast<ScalarOf<Int>>(wave_.world.max_depth));
+    for (std::size_t c = 0; c < kCount; ++c) {
+      const Mask going = going_on(met, offspring[c], too_deep);
+      if (any(going)) send(met, offspring[c], depth, going, c);
+    }
+  }
+
+ private:
+  // As Wave::spawn: those of the rays that are sent on; the others are counted.
+  Mask going_on(const Meeting<L>& met, const Offspring<L>& rays, const Mask& too_deep) {
+    const Mask some = rays.exists && !is_black(rays.weight);
+    const L largest = largest_channel(rays.weight);
+    const Mask dim = largest < L(wave_.world.cutoff);
+    if (!wave_.slots.margin.empty()) {
       for_each_lane(some && !too_deep, [&](int k) {
-        wave.weigh(wave.rays.slot[met.rays[k]], relative_gap(largest[k], wave.world.cutoff));
+        wave_.weigh(slot_of(met, k), relative_gap(largest[k], wave_.world.cutoff));
       });
     }
-    cut[c] = some && (too_deep || dim);
-    going[c] = some && !cut[c];
-    any_cut = any_cut || cut[c];
+    const Mask cut = some && (too_deep || dim);
+    if (any(cut)) {
+      wave_.counters.cut_by_depth += static_cast<std::uint64_t>(count(some && too_deep));
+      wave_.counters.cut_by_weight += static_cast<std::uint64_t>(count(some && !too_deep && dim));
+      const Colors<L> weight(rays.weight);
+      for_each_lane(cut, [&](int k) { wave_.slots.dropped[slot_of(met, k)] += weight[k]; });
+    }
+    return some && !cut;
   }
-  for_each_lane(any_cut, [&](int k) {
-    for (std::size_t c = 0; c < kCount; ++c) {
-      if (!cut[c][k]) continue;
-      const Rgb<L>& weight = offspring[c].weight;
-      wave.slots.dropped[wave.rays.slot[met.rays[k]]] +=
-          Rgb<Real>(weight.r[k], weight.g[k], weight.b[k]);
-    }
-  });
-  return going;
-}
 
-// The rays of each hit stand together, in the order of `offspring`.
-template <class Real, class L, std::size_t kCount>
-void spawn(Wave<Real>& wave, const Meeting<L>& met,
-           const std::array<Offspring<L>, kCount>& offspring) {
-  const std::array<MaskOf<L>, kCount> going = going_on(wave, met, offspring);
-  std::array<LanePlaces<L>, kCount> places;
-  std::size_t end = wave.next.size();
-  for_each_lane(met.hits.active(), [&](int k) {
-    for (std::size_t c = 0; c < kCount; ++c) {
-      if (going[c][k]) places[c].add(k, end++);
-    }
-  });
-  wave.next.grow(end);
-  const IntOf<L> above(static_cast<int>(Side::kAbove)), below(static_cast<int>(Side::kBelow));
-  // Only there can a ray remember more than the surface that it leaves.
-  const bool may_remember =
-      !wave.hits.passed.empty() || any(met.hits.active() && met.hits.of(wave.hits.hit.t) == L(0));
-  for (std::size_t c = 0; c < kCount; ++c) {
-    const Offspring<L>& rays = offspring[c];
-    const LanePlaces<L>& to = places[c];
-    auto& next = wave.next;
-    to.put(met.position, next.origin);
-    to.put(rays.direction, next.direction);
-    to.put(rays.weight, next.weight);
-    to.put(met.hits.of(wave.hits.hit.shape), next.source.shape);
-    to.put(met.hits.of(wave.hits.hit.face), next.source.face);
-    to.put(select(met.enters == MaskOf<L>(rays.reflection), above, below), next.source.side);
-    to.put(met.incident, next.source.arrival);
-    (rays.reflection ? wave.counters.reflection_rays : wave.counters.refraction_rays) += to.count();
-    to.for_each([&](int k, std::size_t i) {
+  void send(const Meeting<L>& met, const Offspring<L>& rays, const Int& depth, const Mask& going,
+            std::size_t c) {
+    auto& next = wave_.next;
+    const std::size_t first = end_[c];
+    store_lanes(going, met.position, next.origin, first);
+    store_lanes(going, rays.direction, next.direction, first);
+    store_lanes(going, rays.weight, next.weight, first);
+    const Int above(static_cast<int>(Side::kAbove)), below(static_cast<int>(Side::kBelow));
+    next.source.store(first, going, met.hits.of(wave_.hits.hit.shape),
+                      met.hits.of(wave_.hits.hit.face),
+                      select(met.enters == Mask(rays.reflection), above, below), met.incident);
+    rays.medium.store_compressed(going, next.medium.data() + first);
+    (depth + Int(1)).store_compressed(going, next.depth.data() + first);
+    std::size_t i = first;
+    for_each_lane(going, [&](int k) {
       const std::size_t parent = met.rays[k];
-      const SlotId slot = wave.rays.slot[parent];
-      ++wave.slots.rays[slot];
+      const SlotId slot = wave_.rays.slot[parent];
+      ++wave_.slots.rays[slot];
       next.slot[i] = slot;
-      next.medium[i] = rays.medium[static_cast<std::size_t>(k)];
-      next.path[i] = mix_64(wave.rays.path[parent], rays.reflection ? 1 : 2);
-      next.depth[i] = wave.rays.depth[parent] + 1;
+      next.path[i] = mix_64(wave_.rays.path[parent], rays.reflection ? 1 : 2);
       next.passed[i] = 0;
-      next.source.memory[i] = -1;
-      if (may_remember) next.source.set(i, wave.source_at(met.hits[k], !rays.reflection));
+      ++i;
+    });
+    end_[c] = i;
+    (rays.reflection ? wave_.counters.reflection_rays : wave_.counters.refraction_rays) +=
+        i - first;
+    // Only there can a ray remember more than the surface that it leaves.
+    const bool may_remember =
+        !wave_.hits.passed.empty() || any(going && met.hits.of(wave_.hits.hit.t) == L(0));
+    if (!may_remember) return;
+    i = first;
+    for_each_lane(going, [&](int k) {
+      next.source.set(i++, wave_.source_at(met.hits[k], !rays.reflection));
     });
   }
-}
+
+  SlotId slot_of(const Meeting<L>& met, int lane) const { return wave_.rays.slot[met.rays[lane]]; }
+
+  Wave<Real>& wave_;
+  std::array<std::size_t, kCount> begin_, end_;  // of each kind's rays, in the next generation
+};
 
 }  // namespace alhazen::render

@@ -18,27 +18,29 @@ Vec3<L> crossing_direction(const Meeting<L>& met, L eta, const DielectricInterfa
   return select(crosses, onward, met.incident);
 }
 
-// The rays of each hit stand together: first the reflected one.
 template <class Real>
 void refract_in_glass(Wave<Real>& wave) {
   using L = Wide<Real>;
+  Spawner<Real, 2> spawner(wave, wave.of(SurfaceKind::glass).size());
   for_lanes<L>(wave.of(SurfaceKind::glass), [&](const Entries<L>& hits) {
-    const Meeting met(wave, hits);
-    std::array<MediumId, L::kWidth> behind{};
-    const L eta = per_lane<L>(hits.active(), Real(1), [&](int k) {
-      const std::size_t h = hits[k];
+    const Meeting<L> met(wave, hits);
+    const IntOf<L> here = met.rays.of(wave.rays.medium), material = hits.of(wave.hits.material);
+    const PlainPassage<L> plain(wave.world, here, material, met.enters, hits.active());
+    L eta = select(plain.is, plain.ior_here / plain.ior_behind, L(1));
+    IntOf<L> behind = plain.behind;
+    for_each_lane(hits.active() && !plain.is, [&](int k) {
       const Passage<Real> passage =
-          cross_surface(wave.world, wave.media, wave.rays.medium[met.rays[k]],
-                        wave.hits.material_of(h), wave.hits.hit.enters[h] != 0);
-      behind[static_cast<std::size_t>(k)] = passage.behind;
-      return passage.ior_here / passage.ior_behind;
+          cross_surface(wave.world, wave.media, static_cast<MediumId>(here[k]),
+                        static_cast<MaterialId>(material[k]), met.enters[k]);
+      behind.set(k, passage.behind);
+      eta.set(k, passage.ior_here / passage.ior_behind);
     });
     const DielectricInterface<L> interface = dielectric_interface(incident_cosine(met), eta);
     const Offspring<L> passing{false, hits.active() && !interface.total_reflection,
                                crossing_direction(met, eta, interface),
                                interface.transmittance * met.weight, behind};
-    spawn(wave, met,
-          std::array{reflection(wave, met, hits.active(), Rgb<L>(interface.reflectance)), passing});
+    spawner.add(met,
+                {reflection(wave, met, hits.active(), Rgb<L>(interface.reflectance)), passing});
   });
 }
 

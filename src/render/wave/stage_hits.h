@@ -2,7 +2,6 @@
 #pragma once
 
 #include "render/accel/shape_tree_lanes.h"
-#include "render/surface/absorption.h"
 #include "render/wave/passage.h"
 #include "render/wave/wave.h"
 
@@ -64,7 +63,7 @@ void keep_interface(Wave<Real>& wave, std::size_t i, std::optional<Hit<Real>> hi
     return;
   }
   const World<Real>& world = wave.world;
-  MediumId& medium = wave.rays.medium[i];
+  auto medium = static_cast<MediumId>(wave.rays.medium[i]);
   Source passed;  // remembers the faces passed at one point
   Real passed_at = -1;
   while (hit) {
@@ -82,6 +81,7 @@ void keep_interface(Wave<Real>& wave, std::size_t i, std::optional<Hit<Real>> hi
     passed.remember({hit->shape, hit->face, hit->enters ? Side::kBelow : Side::kAbove});
     hit = next_hit(world.tree, wave.rays.ray(i), wave.rays.source[i], *hit, infinity<Real>());
   }
+  wave.rays.medium[i] = medium;
   if (!hit) {
     wave.escaped.push(i);
     return;
@@ -97,9 +97,22 @@ void keep_interface(Wave<Real>& wave, std::size_t i, std::optional<Hit<Real>> hi
 template <class Real>
 void find_interfaces(Wave<Real>& wave) {
   using L = Wide<Real>;
+  const World<Real>& world = wave.world;
   for_lanes<L>(wave.rays.size(), [&](const Entries<L>& at) {
-    const HitNumbers<L> first(first_hits(wave, at));
-    for_each_lane(at.active(), [&](int k) { keep_interface(wave, at[k], first[k]); });
+    const HitLanes<L> first = first_hits(wave, at);
+    const MaskOf<L> met = at.active() && first.found;
+    const IntOf<L> material = world.template materials_at<L>(first.shape, met);
+    const IntOf<L> way = world.materials.template ways_of<L>(material, met);
+    const MaskOf<L> is_glass = way == IntOf<L>(static_cast<int>(Way::through_glass));
+    const MaskOf<L> plain =
+        PlainPassage<L>::is_plain(at.of(wave.rays.medium), material, first.enters, met && is_glass);
+    if (any(met && !plain && way != IntOf<L>(static_cast<int>(Way::ends)))) {
+      const HitNumbers<L> numbers(first);
+      for_each_lane(at.active(), [&](int k) { keep_interface(wave, at[k], numbers[k]); });
+    } else {
+      wave.hits.append(at.index(), first, met);
+      wave.escaped.append(at.index(), at.active() && !first.found);
+    }
   });
   wave.sort_hits();
 }
@@ -107,17 +120,17 @@ void find_interfaces(Wave<Real>& wave) {
 // Beer and Lambert's law over the segment just travelled, in the medium that it lay in.
 template <class Real>
 void absorb(Wave<Real>& wave) {
-  const auto lose = [&](std::size_t i, Real distance) {
-    const MaterialId inside =
-        wave.media.current(wave.rays.medium[i], wave.world.materials.priorities());
-    if (inside == kNoId) return;
-    const Rgb<Real> absorption = wave.world.materials[inside].absorption;
-    wave.rays.weight.set(i, wave.rays.weight[i] * transmitted_share(absorption, distance));
+  using L = Wide<Real>;
+  const auto lose = [&](const Entries<L>& rays, const L& distance) {
+    const IntOf<L> medium = rays.of(wave.rays.medium);
+    if (!any(rays.active() && medium != IntOf<L>(kVacuum))) return;
+    rays.put(rays.of(wave.rays.weight) * share_left(wave, medium, distance, rays.active()),
+             wave.rays.weight);
   };
-  for (std::size_t h = 0; h < wave.hits.size(); ++h)
-    lose(wave.hits.ray_of(h), wave.hits.hit[h].t);
-  for (const std::size_t i : wave.escaped)
-    lose(i, infinity<Real>());
+  for_lanes<L>(wave.hits.size(), [&](const Entries<L>& at) {
+    lose(Entries<L>(at.of(wave.hits.ray), at.active()), at.of(wave.hits.hit.t));
+  });
+  for_lanes<L>(wave.escaped, [&](const Entries<L>& rays) { lose(rays, L(infinity<L>())); });
 }
 
 // Sums into samples stay in the order of the queue: lanes may belong to one sample.

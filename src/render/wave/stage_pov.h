@@ -86,10 +86,12 @@ PovHits<L> find_pov_hits(Wave<Real>& wave, const Meeting<L>& met) {
 template <class Real>
 void reflect_as_pov(Wave<Real>& wave) {
   using L = Wide<Real>;
+  Spawner<Real, 1> spawner(wave, wave.pov_mirror.size());
   for_lanes<L>(wave.pov_mirror, [&](const Entries<L>& hits) {
-    const Meeting met(wave, hits);
+    const Meeting<L> met(wave, hits);
     const PovHits<L> found = find_pov_hits(wave, met);
-    spawn_reflections(wave, met, hits.active() && !found.reflects_totally, found.reflected);
+    const MaskOf<L> which = hits.active() && !found.reflects_totally;
+    spawner.add(met, {reflection(wave, met, which, found.reflected)});
   });
 }
 
@@ -113,7 +115,7 @@ void transmit_as_pov(Wave<Real>& wave) {
       const std::size_t h = hits[k], parent = met.rays[k];
       if (found.reflects_totally[k]) {
         wave.spawn(true, parent, {position[k], mirrored[k]}, wave.source_at(h, false), reflected[k],
-                   wave.rays.medium[parent]);
+                   static_cast<MediumId>(wave.rays.medium[parent]));
       }
       if (found.interface.total_reflection[k]) return;
       const MediumId behind = found.passage[k].behind;

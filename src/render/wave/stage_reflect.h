@@ -28,52 +28,53 @@ L incident_cosine(const Meeting<L>& met) {
 template <class Real, class L>
 Offspring<L> reflection(const Wave<Real>& wave, const Meeting<L>& met, MaskOf<L> exists,
                         const Rgb<L>& reflectance) {
-  Offspring<L> rays{true, exists, mirror_direction(met), met.weight * reflectance, {}};
-  for_each_lane(exists, [&](int k) {
-    rays.medium[static_cast<std::size_t>(k)] = wave.rays.medium[met.rays[k]];
-  });
-  return rays;
+  return {true, exists, mirror_direction(met), met.weight * reflectance,
+          met.rays.of(wave.rays.medium)};
 }
 
-template <class Real, class L>
-void spawn_reflections(Wave<Real>& wave, const Meeting<L>& met, MaskOf<L> which,
-                       const Rgb<L>& reflectance) {
-  spawn(wave, met, std::array{reflection(wave, met, which, reflectance)});
+// Sends on the reflections at the hits of a list; reflectance_at(met) is of each hit.
+template <class Real, class ReflectanceAt>
+void reflect_hits(Wave<Real>& wave, const IndexList<LaneInt<Real>>& list,
+                  const ReflectanceAt& reflectance_at) {
+  using L = Wide<Real>;
+  Spawner<Real, 1> spawner(wave, list.size());
+  for_lanes<L>(list, [&](const Entries<L>& hits) {
+    const Meeting<L> met(wave, hits);
+    spawner.add(met, {reflection(wave, met, hits.active(), reflectance_at(met))});
+  });
 }
 
 template <class Real>
 void reflect_in_mirrors(Wave<Real>& wave) {
-  for_lanes<Wide<Real>>(wave.of(SurfaceKind::mirror), [&](const Entries<Wide<Real>>& hits) {
-    spawn_reflections(wave, Meeting(wave, hits), hits.active(), hits.of(wave.hits.color));
-  });
+  reflect_hits(wave, wave.of(SurfaceKind::mirror),
+               [&](const auto& met) { return met.hits.of(wave.hits.color); });
 }
 
 template <class Real>
 void reflect_in_metals(Wave<Real>& wave) {
   using L = Wide<Real>;
-  for_lanes<L>(wave.of(SurfaceKind::metal), [&](const Entries<L>& hits) {
-    const Meeting met(wave, hits);
-    const auto of_metal = [&, id = hits.of(wave.hits.material)](auto member) {
-      return wave.world.materials.template records_of<L>(member, id, hits.active());
+  reflect_hits(wave, wave.of(SurfaceKind::metal), [&](const Meeting<L>& met) {
+    const auto of_metal = [&, id = met.hits.of(wave.hits.material)](auto member) {
+      return wave.world.materials.template records_of<L>(member, id, met.hits.active());
     };
-    const L ior = per_lane<L>(hits.active(), Real(1),
-                              [&](int k) { return wave.ior_in(wave.rays.medium[met.rays[k]]); });
-    spawn_reflections(
-        wave, met, hits.active(),
-        conductor_reflectance(incident_cosine(met), of_metal(&MaterialRecord<Real>::conductor_n),
-                              of_metal(&MaterialRecord<Real>::conductor_k), ior));
+    const IntOf<L> medium = met.rays.of(wave.rays.medium);
+    L ior(1);
+    if (any(met.hits.active() && medium != IntOf<L>(kVacuum))) {
+      ior = per_lane<L>(met.hits.active(), Real(1),
+                        [&](int k) { return wave.ior_in(static_cast<MediumId>(medium[k])); });
+    }
+    return conductor_reflectance(incident_cosine(met), of_metal(&MaterialRecord<Real>::conductor_n),
+                                 of_metal(&MaterialRecord<Real>::conductor_k), ior);
   });
 }
 
 template <class Real>
 void reflect_in_coats(Wave<Real>& wave) {
   using L = Wide<Real>;
-  for_lanes<L>(wave.of(SurfaceKind::coat), [&](const Entries<L>& hits) {
-    const Meeting met(wave, hits);
+  reflect_hits(wave, wave.of(SurfaceKind::coat), [&](const Meeting<L>& met) {
     const CoatLayer<L> layer = wave.world.materials.template records_of<L>(
-        &MaterialRecord<Real>::coat, hits.of(wave.hits.material), hits.active());
-    spawn_reflections(wave, met, hits.active(),
-                      Rgb<L>(coat_mirror_reflectance(layer, incident_cosine(met))));
+        &MaterialRecord<Real>::coat, met.hits.of(wave.hits.material), met.hits.active());
+    return Rgb<L>(coat_mirror_reflectance(layer, incident_cosine(met)));
   });
 }
 

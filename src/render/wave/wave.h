@@ -32,7 +32,7 @@ template <class Real>
 struct Wave {
   using List = IndexList<LaneInt<Real>>;  // indices in order
 
-  explicit Wave(const World<Real>& w) : world(w) {}
+  explicit Wave(const World<Real>& w) : world(w), media(w.materials.size()) {}
 
   const World<Real>& world;
   Slots<Real> slots;
@@ -155,7 +155,7 @@ struct Wave {
   bool may_go_deeper(std::size_t parent, Rgb<Real> weight) {
     if (is_black(weight)) return false;
     const SlotId slot = rays.slot[parent];
-    if (rays.depth[parent] + 1 > world.max_depth) {
+    if (rays.depth[parent] >= world.max_depth) {
       ++counters.cut_by_depth;
       slots.dropped[slot] += weight;
       return false;

@@ -31,7 +31,7 @@ struct World {
         background(scene.background, pictures),
         filter(scene.settings.filter),
         cutoff(static_cast<Real>(scene.settings.cutoff)),
-        max_depth(static_cast<std::uint32_t>(scene.settings.max_depth)),
+        max_depth(scene.settings.max_depth),
         transparent_background(scene.settings.transparent_background),
         seed(scene.settings.seed) {
     for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
@@ -57,6 +57,12 @@ struct World {
       count += static_cast<std::size_t>(light.kernel.samples);
     }
     return std::max<std::size_t>(1, count);
+  }
+
+  // The materials of the shapes of several lanes.
+  template <class L>
+  IntOf<L> materials_at(const IntOf<L>& shape, MaskOf<L> active) const {
+    return gathered_words<L>(material_of.data(), shape, active);
   }
 
   bool has_shapes() const { return !material_of.empty(); }
@@ -85,7 +91,7 @@ struct World {
   std::vector<ShapeId> solids;          // that a camera may be inside of, in the scene's order
   Filter filter;
   Real cutoff;
-  std::uint32_t max_depth;
+  int max_depth;
   bool transparent_background;
   std::uint64_t seed;
 

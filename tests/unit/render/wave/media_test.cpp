@@ -6,13 +6,13 @@ namespace alhazen::render {
 namespace {
 
 TEST(MediumPool, VacuumHoldsNothing) {
-  MediumPool pool;
+  MediumPool pool(8);
   EXPECT_EQ(pool.current(kVacuum, {}), kNoId);
   EXPECT_EQ(pool.leave(kVacuum, 3), kVacuum);
 }
 
 TEST(MediumPool, LastEnteredOfEqualPriorityIsThere) {
-  MediumPool pool;
+  MediumPool pool(8);
   const std::vector<int> priority = {0, 0};
   const MediumId both = pool.enter(pool.enter(kVacuum, 0), 1);
   EXPECT_EQ(pool.current(both, priority), 1u);
@@ -21,14 +21,14 @@ TEST(MediumPool, LastEnteredOfEqualPriorityIsThere) {
 }
 
 TEST(MediumPool, HigherPriorityWinsWhateverTheOrder) {
-  MediumPool pool;
+  MediumPool pool(8);
   const std::vector<int> priority = {5, 1};
   EXPECT_EQ(pool.current(pool.enter(pool.enter(kVacuum, 0), 1), priority), 0u);
   EXPECT_EQ(pool.current(pool.enter(pool.enter(kVacuum, 1), 0), priority), 0u);
 }
 
 TEST(MediumPool, SameSituationHasSameId) {
-  MediumPool pool;
+  MediumPool pool(8);
   const MediumId a = pool.enter(pool.enter(kVacuum, 0), 1);
   const MediumId b = pool.enter(pool.enter(kVacuum, 0), 1);
   EXPECT_EQ(a, b);
@@ -38,7 +38,7 @@ TEST(MediumPool, SameSituationHasSameId) {
 }
 
 TEST(MediumPool, OneMaterialEnteredTwiceIsLeftTwice) {
-  MediumPool pool;
+  MediumPool pool(8);
   const MediumId twice = pool.enter(pool.enter(kVacuum, 7), 7);
   const MediumId once = pool.leave(twice, 7);
   EXPECT_TRUE(pool.contains(once, 7));
