@@ -46,9 +46,11 @@ class PacketWalk {
   }
 
  private:
-  // The shape that a ray departs from comes first: its kernel knows the root at the start.
+  // The shape that a ray departs from comes first: its kernel knows the root at the start. A ray
+  // that goes above a face has left for good, for every shape is convex or flat.
   void leave() {
-    const Mask own = targets_.wanting() && left_ != Int(-1) && left_ != query_.ignored;
+    const Mask own = targets_.wanting() && left_ != Int(-1) && left_ != query_.ignored &&
+                     query_.from.side != Int(static_cast<int>(Side::kAbove));
     if (!any(own)) return;
     take(tree_.table().template own_crossings<L>(left_, query_.ray, query_.from.face,
                                                  query_.from.side, own),

@@ -6,6 +6,7 @@
 
 #include "render/shape/convert.h"
 #include "render/shape/kernel_arrays.h"
+#include "render/simd/records.h"
 
 namespace alhazen::render {
 
@@ -18,25 +19,18 @@ struct EntryLanes {
   Int kind, index, placement;
   Mask active, placed, in_object_frame;
 
+  // An entry is two words, its bit fields from the lowest on: so the ABI of x86-64 lays them out,
+  // and the tests of these lanes see to it.
   EntryLanes(const std::vector<Entry>& entries, const Int& shape, const Mask& active_)
       : active(active_) {
-    using One = ScalarOf<Int>;
-    std::array<One, L::kWidth> kinds{}, indices{}, placements{};
-    std::uint32_t are_placed = 0, are_in_object_frame = 0;
-    for_each_lane(active, [&](int i) {
-      const Entry& entry = entries[static_cast<std::size_t>(shape[i])];
-      const auto lane = static_cast<std::size_t>(i);
-      kinds[lane] = static_cast<One>(entry.kind);
-      indices[lane] = static_cast<One>(entry.index);
-      placements[lane] = static_cast<One>(entry.placement);
-      are_placed |= static_cast<std::uint32_t>(entry.is_placed()) << i;
-      are_in_object_frame |= static_cast<std::uint32_t>(entry.in_object_frame) << i;
-    });
-    kind = Int::load(kinds.data());
-    index = Int::load(indices.data());
-    placement = Int::load(placements.data());
-    placed = Mask::from_bits(are_placed);
-    in_object_frame = Mask::from_bits(are_in_object_frame);
+    const auto* words = reinterpret_cast<const std::uint32_t*>(entries.data());
+    const Int twice = shape + shape;
+    index = gathered_words<L>(words, twice, active);
+    const Int fields = gathered_words<L>(words, twice + Int(1), active);
+    kind = fields & Int(7);
+    in_object_frame = active && (fields & Int(8)) != Int(0);
+    placement = (fields >> 4) & Int(static_cast<int>(Entry::kNotPlaced));
+    placed = active && placement != Int(static_cast<int>(Entry::kNotPlaced));
   }
 
   // Calls visit(kernels, mask) for each kind that is there: the kernels of the lanes in the mask.

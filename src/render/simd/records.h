@@ -72,8 +72,8 @@ inline Record<L> gathered(const Record<ScalarOf<L>>* records, const IntOf<L>& in
   }
 }
 
-// words[index] as lanes of L's whole numbers; lanes outside of the mask read nothing and are 0. The
-// words are below 2^31.
+// words[index] as lanes of L's whole numbers, of the same low 32 bits; lanes outside of the mask
+// read nothing and are 0.
 template <class L>
 inline IntOf<L> gathered_words(const std::uint32_t* words, const IntOf<L>& index,
                                MaskOf<L> active) {

@@ -18,10 +18,11 @@ class RayQueue {
  public:
   Vec3Column<Real> origin, direction;
   SourceColumn<Real> source;
-  RgbColumn<Real> weight;  // of the radiance that comes along the ray, in the sample's
-  Column<SlotId> slot;
+  RgbColumn<Real> weight;        // of the radiance that comes along the ray, in the sample's
+  Column<LaneInt<Real>> slot;    // a SlotId
   Column<LaneInt<Real>> medium;  // a MediumId: what the ray starts in
-  Column<std::uint64_t> path;    // names the branch of the ray tree: seeds its random numbers
+  // Names the branch of the ray tree, and seeds its random numbers, where the wave asks for names.
+  Column<std::uint64_t> path;
   Column<LaneInt<Real>> depth;   // reflections and refractions so far
   Column<std::uint32_t> passed;  // surfaces that the same line has come straight through
 

@@ -14,7 +14,7 @@ class ShadowQueue {
   // The light's own visible surface, which does not shadow it; -1: none.
   Column<LaneInt<Real>> light_shape;
   RgbColumn<Real> radiance;
-  Column<SlotId> slot;
+  Column<LaneInt<Real>> slot;    // a SlotId
   Column<LaneInt<Real>> medium;  // a MediumId
 
   std::size_t size() const { return size_; }

@@ -13,17 +13,17 @@ namespace alhazen::render {
 // What is kept of each sample only where something asks for it.
 struct SlotWants {
   bool first_surface = false;  // met_something, first_shape, first_color
-  bool signature = false, margin = false;
+  bool signature = false, margin = false, rays = false;
 };
 
 template <class Real>
 struct Slots {
-  std::vector<std::int32_t> x, y;      // the pixel, in the frame
+  Column<LaneInt<Real>> x, y;          // the pixel, in the frame
   std::vector<std::uint32_t> sample;   // its number within the pixel
   Column<Real> offset_x, offset_y;     // of its ray from the pixel's centre, in pixels
   std::vector<std::uint8_t> negative;  // whether the reconstruction filter is, at that place
   std::vector<Rgb<Real>> radiance;
-  std::vector<std::uint32_t> rays;          // traced for it, of all kinds
+  std::vector<std::uint32_t> rays;          // traced for it, of all kinds, or empty
   std::vector<Rgb<Real>> dropped;           // weight of children that were cut
   std::vector<std::uint8_t> met_something;  // by the camera ray
   std::vector<ShapeId> first_shape;         // that the camera ray met; kNoId: none
@@ -31,10 +31,10 @@ struct Slots {
   std::vector<std::uint64_t> signature;
   std::vector<Real> margin;
 
-  std::size_t size() const { return x.size(); }
+  std::size_t size() const { return sample.size(); }
   void resize(std::size_t count, const SlotWants& wants) {
-    x.resize(count);
-    y.resize(count);
+    x.make_room(count);
+    y.make_room(count);
     sample.resize(count);
     offset_x.make_room(count);
     offset_y.make_room(count);
@@ -42,7 +42,7 @@ struct Slots {
     std::fill_n(offset_y.data(), count, Real(0));
     negative.assign(count, 0);
     radiance.assign(count, {});
-    rays.assign(count, 0);
+    rays.assign(wants.rays ? count : 0, 0);
     dropped.assign(count, {});
     const std::size_t firsts = wants.first_surface ? count : 0;
     met_something.assign(firsts, 0);

@@ -1,6 +1,7 @@
 // render/wave: rays that several hits give rise to, into the queue of the next generation.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "render/wave/meeting.h"
@@ -88,19 +89,20 @@ class Spawner {
                       select(met.enters == Mask(rays.reflection), above, below), met.incident);
     rays.medium.store_compressed(going, next.medium.data() + first);
     (depth + Int(1)).store_compressed(going, next.depth.data() + first);
+    end_[c] += static_cast<std::size_t>(
+        met.rays.of(wave_.rays.slot).store_compressed(going, next.slot.data() + first));
+    std::fill_n(next.passed.data() + first, end_[c] - first, 0);
     std::size_t i = first;
-    for_each_lane(going, [&](int k) {
-      const std::size_t parent = met.rays[k];
-      const SlotId slot = wave_.rays.slot[parent];
-      ++wave_.slots.rays[slot];
-      next.slot[i] = slot;
-      next.path[i] = mix_64(wave_.rays.path[parent], rays.reflection ? 1 : 2);
-      next.passed[i] = 0;
-      ++i;
-    });
-    end_[c] = i;
+    if (names_paths_) {
+      for_each_lane(going, [&](int k) {
+        next.path[i++] = mix_64(wave_.rays.path[met.rays[k]], rays.reflection ? 1 : 2);
+      });
+    }
+    if (!wave_.slots.rays.empty()) {
+      for_each_lane(going, [&](int k) { ++wave_.slots.rays[slot_of(met, k)]; });
+    }
     (rays.reflection ? wave_.counters.reflection_rays : wave_.counters.refraction_rays) +=
-        i - first;
+        end_[c] - first;
     // Only there can a ray remember more than the surface that it leaves.
     const bool may_remember =
         !wave_.hits.passed.empty() || any(going && met.hits.of(wave_.hits.hit.t) == L(0));
@@ -111,9 +113,12 @@ class Spawner {
     });
   }
 
-  SlotId slot_of(const Meeting<L>& met, int lane) const { return wave_.rays.slot[met.rays[lane]]; }
+  SlotId slot_of(const Meeting<L>& met, int lane) const {
+    return static_cast<SlotId>(wave_.rays.slot[met.rays[lane]]);
+  }
 
   Wave<Real>& wave_;
+  bool names_paths_ = wave_.names_paths();
   std::array<std::size_t, kCount> begin_, end_;  // of each kind's rays, in the next generation
 };
 

@@ -14,6 +14,12 @@ inline constexpr std::uint64_t kFirstLightDimension = 32;
 inline std::uint64_t pixel_seed(std::uint64_t seed, std::int32_t x, std::int32_t y) {
   return mix_64(mix_64(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
 }
+// Of the pixel that a slot's sample is of.
+template <class Real>
+std::uint64_t path_of(const Wave<Real>& wave, std::size_t slot) {
+  return pixel_seed(wave.world.seed, static_cast<std::int32_t>(wave.slots.x[slot]),
+                    static_cast<std::int32_t>(wave.slots.y[slot]));
+}
 
 // Puts each sample where the reconstruction filter wants it. Without this stage it stays in the
 // centre of its pixel.
@@ -21,7 +27,7 @@ template <class Real>
 void place_by_filter(Wave<Real>& wave) {
   Slots<Real>& slots = wave.slots;
   for (std::size_t s = 0; s < slots.size(); ++s) {
-    const std::uint64_t path = pixel_seed(wave.world.seed, slots.x[s], slots.y[s]);
+    const std::uint64_t path = path_of(wave, s);
     const Sample2d bits = sample_2d(mix_64(path, kFilterDimension), slots.sample[s]);
     const FilterSample place =
         wave.world.filter.sample(unit_real<double>(bits.x), unit_real<double>(bits.y));
@@ -38,10 +44,7 @@ void push_camera_rays(Wave<Real>& wave, const MakeRay& make_ray) {
   using L = Wide<Real>;
   Slots<Real>& slots = wave.slots;
   for_lanes<L>(slots.size(), [&](const Entries<L>& at) {
-    const auto whole = [&](const std::vector<std::int32_t>& numbers) {
-      return per_lane<IntOf<L>>(at.active(), 0, [&](int k) { return numbers[at[k]]; });
-    };
-    const FilmPoint<L> film{whole(slots.x), whole(slots.y), at.of(slots.offset_x),
+    const FilmPoint<L> film{at.of(slots.x), at.of(slots.y), at.of(slots.offset_x),
                             at.of(slots.offset_y)};
     const CameraRay<L> ray = make_ray(film, at);
     auto& rays = wave.rays;
@@ -52,14 +55,16 @@ void push_camera_rays(Wave<Real>& wave, const MakeRay& make_ray) {
     at.store(Rgb<L>(L(1)), rays.weight);
     rays.source.store(first, at.active(), IntOf<L>(-1), IntOf<L>(kNoFace),
                       IntOf<L>(static_cast<int>(Side::kByDirection)), Vec3<L>());
-    for (std::size_t s = first; s < rays.size(); ++s) {
-      slots.rays[s] = 1;
-      rays.slot[s] = static_cast<SlotId>(s);
-      rays.medium[s] = kVacuum;
-      rays.path[s] = pixel_seed(wave.world.seed, slots.x[s], slots.y[s]);
-      rays.depth[s] = rays.passed[s] = 0;
-    }
+    at.index().store(rays.slot.data() + first);
+    IntOf<L>(kVacuum).store(rays.medium.data() + first);
+    IntOf<L>(0).store(rays.depth.data() + first);
+    std::fill_n(rays.passed.data() + first, rays.size() - first, 0);
   });
+  if (wave.names_paths()) {
+    for (std::size_t s = 0; s < slots.size(); ++s)
+      wave.rays.path[s] = path_of(wave, s);
+  }
+  std::fill(slots.rays.begin(), slots.rays.end(), 1);
 }
 
 template <class Real>
@@ -78,7 +83,7 @@ void start_lens_rays(Wave<Real>& wave) {
     Real u[L::kWidth] = {}, v[L::kWidth] = {};
     for_each_lane(at.active(), [&](int k) {
       const std::size_t s = at[k];
-      const std::uint64_t path = pixel_seed(wave.world.seed, slots.x[s], slots.y[s]);
+      const std::uint64_t path = path_of(wave, s);
       const Sample2d lens = sample_2d(mix_64(path, kLensDimension), slots.sample[s]);
       u[k] = unit_real<Real>(lens.x);
       v[k] = unit_real<Real>(lens.y);

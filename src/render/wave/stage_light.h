@@ -121,14 +121,11 @@ void queue_paths(Wave<Real>& wave, const Meeting<L>& met, MaskOf<L> which,
   // Only there can a path remember more than the surface that it leaves.
   const bool may_remember =
       !wave.hits.passed.empty() || any(which && met.hits.of(wave.hits.hit.t) == L(0));
-  for_each_lane(which, [&](int k) {
-    const std::size_t ray = met.rays[k];
-    queue.light_shape[i] = static_cast<std::int32_t>(lamp);
-    queue.slot[i] = wave.rays.slot[ray];
-    queue.medium[i] = wave.rays.medium[ray];
-    if (may_remember) queue.source.set(i, wave.source_at(met.hits[k], false));
-    ++i;
-  });
+  IntOf<L>(static_cast<std::int32_t>(lamp)).store_compressed(which, queue.light_shape.data() + i);
+  met.rays.of(wave.rays.slot).store_compressed(which, queue.slot.data() + i);
+  met.rays.of(wave.rays.medium).store_compressed(which, queue.medium.data() + i);
+  if (!may_remember) return;
+  for_each_lane(which, [&](int k) { queue.source.set(i++, wave.source_at(met.hits[k], false)); });
 }
 
 // Queues what samples of a light add at several hits, where both the surface and its shading normal

@@ -18,6 +18,7 @@ void add_unshadowed(Wave<Real>& wave) {
 template <class Real>
 void count_shadow_rays(Wave<Real>& wave) {
   wave.counters.shadow_rays += wave.light_paths.size();
+  if (wave.slots.rays.empty()) return;
   for (std::size_t i = 0; i < wave.light_paths.size(); ++i)
     ++wave.slots.rays[wave.light_paths.slot[i]];
 }

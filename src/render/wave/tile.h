@@ -34,6 +34,7 @@ class TileRenderer {
         aovs.albedo || aovs.object_ids || aovs.material_ids || job.settings.transparent_background;
     wants_.signature = aovs.signature;
     wants_.margin = aovs.margin;
+    wants_.rays = aovs.cost;
   }
 
   // Renders `tile`, a part of `picture.window`, into the picture. False when the run was cancelled.

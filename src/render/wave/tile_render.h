@@ -113,7 +113,7 @@ template <class Real>
 void TileRenderer<Real>::collect_data(std::size_t slot, std::uint32_t sample, PixelData& data) {
   const Slots<Real>& slots = integrator_.wave().slots;
   const AovRequest& aovs = job_.options.aovs;
-  data.rays += slots.rays[slot];
+  if (aovs.cost) data.rays += slots.rays[slot];
   if (aovs.signature) data.signature += mix_64(sample, slots.signature[slot]);
   if (aovs.margin) data.margin = std::min(data.margin, static_cast<float>(slots.margin[slot]));
   if (!wants_.first_surface) return;

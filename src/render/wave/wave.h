@@ -56,7 +56,14 @@ struct Wave {
   template <class L>
   void add(const Entries<L>& at, MaskOf<L> which, const Rgb<L>& radiance) {
     const Colors<L> weighted(at.of(rays.weight) * radiance);
-    for_each_lane(which, [&](int k) { slots.radiance[rays.slot[at[k]]] += weighted[k]; });
+    const Numbers<IntOf<L>> slot(at.of(rays.slot));
+    for_each_lane(which, [&](int k) { slots.radiance[slot[k]] += weighted[k]; });
+  }
+
+  // Whether anything asks for the name of a ray's branch.
+  bool names_paths() const {
+    return !world.lights.spheres.empty() || !world.lights.rectangles.empty() ||
+           !slots.signature.empty() || !slots.margin.empty();
   }
 
   const List& of(SurfaceKind kind) const { return of_kind[static_cast<std::size_t>(kind)]; }
@@ -173,10 +180,10 @@ struct Wave {
   void send(bool reflection, std::size_t parent, const Ray<Real>& ray, const Source& source,
             Rgb<Real> weight, MediumId medium, std::uint32_t depth, std::uint32_t passed) {
     ++(reflection ? counters.reflection_rays : counters.refraction_rays);
-    ++slots.rays[rays.slot[parent]];
+    const auto slot = static_cast<SlotId>(rays.slot[parent]);
+    if (!slots.rays.empty()) ++slots.rays[slot];
     const std::uint64_t branch = reflection ? 1 : 2;
-    next.push(ray, source, weight, rays.slot[parent], medium, mix_64(rays.path[parent], branch),
-              depth, passed);
+    next.push(ray, source, weight, slot, medium, mix_64(rays.path[parent], branch), depth, passed);
   }
 
   void start_list(List& list) {
