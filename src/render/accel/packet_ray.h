@@ -103,15 +103,11 @@ class AllRays {
  private:
   template <class Float>
   static float least(Float x, MaskOf<Float> active) {
-    const Float with = select(active, x, Float(infinity<float>()));
-    float result = with[0];
-    for (int i = 1; i < Float::kWidth; ++i)
-      result = smaller(result, with[i]);
-    return result;
+    return least_of(select(active, x, Float(infinity<float>())));
   }
   template <class Float>
   static float greatest(Float x, MaskOf<Float> active) {
-    return -least(-x, active);
+    return greatest_of(select(active, x, Float(-infinity<float>())));
   }
 
   std::array<float, 3> least_inverse_, greatest_inverse_;  // where mixed: of the direction itself

@@ -79,13 +79,6 @@ class PacketWalk {
     const Float end = way.clock.until(targets_.limit());
     return select(FloatMask::from_bits((way.enters && targets_.wanting()).bits()), end, Float(-1));
   }
-  static float last(Float ends) {
-    float result = ends[0];
-    for (int i = 1; i < Float::kWidth; ++i)
-      result = larger(result, ends[i]);
-    return result;
-  }
-
   void descend(std::span<const TreeNode> nodes, const Approach<L>& way) {
     struct Waiting {
       float near;
@@ -94,7 +87,7 @@ class PacketWalk {
     std::array<Waiting, (kNodeWidth - 1) * kDeepestSplit + kNodeWidth> stack;
     std::size_t waiting = 0;
     Float end = ends(way);
-    float latest = last(end);
+    float latest = greatest_of(end);
     const EachRay<Float> each(way.origin, way.inverse, way.blur);
     const AllRays all(each, end >= Float(0));
     const auto open = [&](std::uint32_t index) {
@@ -134,7 +127,7 @@ class PacketWalk {
         continue;
       }
       end = ends(way);
-      latest = last(end);
+      latest = greatest_of(end);
       if (latest < 0) return;
     }
   }

@@ -50,7 +50,7 @@ inline Approach<L> approach(const TreeFrame<ScalarOf<L>>& frame, const Ray<L>& r
       select(distance <= L(frame.start_radius), L(frame.near_reach), L(frame.far_reach)) * distance;
   const TreeSpan<L> span = span_in(Vec3<L>(frame.min), Vec3<L>(frame.max), ray, margin, from, to);
   const L speed = largest_coordinate(ray.direction), blur = L(frame.units) * margin;
-  const Vec3<L> start = L(frame.units) * ray.at(span.near), d = ray.direction;
+  const Vec3<L> start = L(frame.units) * ray.at(span.near);
   Approach<L> result;
   const MaskOf<L> ordinary = is_ordinary(ray), comes = !(span.near > span.far);
   // From so far away that it is blurred as much, any box is as likely as another.
@@ -59,7 +59,7 @@ inline Approach<L> approach(const TreeFrame<ScalarOf<L>>& frame, const Ray<L>& r
   result.enters = ordinary && comes && sharp;
   result.clock = {span.near, speed * L(frame.units)};
   result.origin = to_tree(start);
-  result.inverse = {to_tree(speed / d.x), to_tree(speed / d.y), to_tree(speed / d.z)};
+  result.inverse = to_tree(speed * span.reciprocal);
   result.blur = to_tree(blur);
   return result;
 }

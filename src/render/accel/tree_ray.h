@@ -55,10 +55,11 @@ inline TreeNumberOf<Lanes<T, W>> to_tree(Lanes<T, W> x) {
   }
 }
 
-// A part of a line; empty where near > far.
+// A part of a line, empty where near > far, and 1 / direction on each axis.
 template <class Real>
 struct TreeSpan {
   Real near, far;
+  Vec3<Real> reciprocal;
 };
 
 // The part in [from, to] that lies in the box, moved outward by the margin. An axis along which the
@@ -68,9 +69,10 @@ struct TreeSpan {
 template <class Real>
 inline TreeSpan<Real> span_in(Vec3<Real> min, Vec3<Real> max, const Ray<Real>& ray, Real margin,
                               Real from, Real to) {
-  TreeSpan<Real> span{from, to};
+  const Vec3<Real> d = ray.direction;
+  TreeSpan<Real> span{from, to, {Real(1) / d.x, Real(1) / d.y, Real(1) / d.z}};
   for (int axis = 0; axis < 3; ++axis) {
-    const Real o = ray.origin[axis], reciprocal = Real(1) / ray.direction[axis];
+    const Real o = ray.origin[axis], reciprocal = span.reciprocal[axis];
     const Real inverse = select(is_finite(reciprocal), reciprocal, Real(infinity<Real>()));
     const Real low = (min[axis] - (o + margin)) * inverse;
     const Real high = (max[axis] - (o - margin)) * inverse;

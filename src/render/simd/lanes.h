@@ -164,6 +164,24 @@ inline Lanes<T, W> larger(Lanes<T, W> a, Lanes<T, W> b) {
   return Lanes<T, W>::from_value(Lanes<T, W>::Store::larger(a.value, b.value));
 }
 
+// The least and the greatest of all lanes; none is NaN.
+template <std::floating_point T, int W>
+inline T least_of(const Lanes<T, W>& x) {
+  if constexpr (W == 1) {
+    return x[0];
+  } else {
+    return least_of(smaller(x.low(), x.high()));
+  }
+}
+template <std::floating_point T, int W>
+inline T greatest_of(const Lanes<T, W>& x) {
+  if constexpr (W == 1) {
+    return x[0];
+  } else {
+    return greatest_of(larger(x.low(), x.high()));
+  }
+}
+
 // The same names for one number, whose answers are bools.
 using alhazen::all;
 using alhazen::any;

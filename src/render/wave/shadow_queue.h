@@ -1,49 +1,43 @@
 // render/wave: light on its way to a surface: what it will add if nothing stands between.
 #pragma once
 
-#include "render/wave/ray_queue.h"
+#include "render/wave/entries.h"
 
 namespace alhazen::render {
 
+// A path starts at a hit of the generation, and all else about its start stands there. There are
+// many times as many paths as hits where there are many lights, so they are kept small.
 template <class Real>
 class ShadowQueue {
  public:
-  Vec3Column<Real> origin, direction;
-  SourceColumn<Real> source;
+  Column<LaneInt<Real>> hit;  // index into the generation's HitQueue
+  Vec3Column<Real> direction;
   Column<Real> distance;  // to the light; infinite for a directional one
   // The light's own visible surface, which does not shadow it; -1: none.
   Column<LaneInt<Real>> light_shape;
   RgbColumn<Real> radiance;
-  Column<LaneInt<Real>> slot;    // a SlotId
-  Column<LaneInt<Real>> medium;  // a MediumId
 
   std::size_t size() const { return size_; }
-  void clear() {
-    size_ = 0;
-    source.clear();
-  }
-  // The paths of several lanes, in their order. Their sources, lamps, samples
-  // and media are for the caller to set.
+  void clear() { size_ = 0; }
+  // The paths of several lanes, in their order.
   template <class L>
-  void append(MaskOf<L> which, const Ray<L>& ray, const L& dist, const Rgb<L>& l) {
+  void append(MaskOf<L> which, const IntOf<L>& hits, const Vec3<L>& towards, const L& dist,
+              const IntOf<L>& lamps, const Rgb<L>& light) {
     make_room(size_ + L::kWidth);
-    store_lanes(which, ray.origin, origin, size_);
-    store_lanes(which, ray.direction, direction, size_);
+    store_lanes(which, towards, direction, size_);
     dist.store_compressed(which, distance.data() + size_);
-    store_lanes(which, l, radiance, size_);
-    size_ += static_cast<std::size_t>(count(which));
+    lamps.store_compressed(which, light_shape.data() + size_);
+    store_lanes(which, light, radiance, size_);
+    size_ += static_cast<std::size_t>(hits.store_compressed(which, hit.data() + size_));
   }
 
  private:
   void make_room(std::size_t count) {
-    origin.make_room(count);
+    hit.make_room(count);
     direction.make_room(count);
-    source.make_room(count);
     distance.make_room(count);
     light_shape.make_room(count);
     radiance.make_room(count);
-    slot.make_room(count);
-    medium.make_room(count);
   }
 
   std::size_t size_ = 0;

@@ -107,27 +107,6 @@ void add_ambient(Wave<Real>& wave) {
   });
 }
 
-// Light paths from several hits to the samples of a light.
-template <class Real, class L>
-void queue_paths(Wave<Real>& wave, const Meeting<L>& met, MaskOf<L> which,
-                 const LightSample<L>& sample, ShapeId lamp, const Rgb<L>& radiance,
-                 ShadowQueue<Real>& queue) {
-  std::size_t i = queue.size();
-  queue.append(which, Ray<L>{met.position, sample.direction}, sample.distance, radiance);
-  const IntOf<L> side = select(met.enters, IntOf<L>(static_cast<int>(Side::kAbove)),
-                               IntOf<L>(static_cast<int>(Side::kBelow)));
-  queue.source.store(i, which, met.hits.of(wave.hits.hit.shape), met.hits.of(wave.hits.hit.face),
-                     side, met.incident);
-  // Only there can a path remember more than the surface that it leaves.
-  const bool may_remember =
-      !wave.hits.passed.empty() || any(which && met.hits.of(wave.hits.hit.t) == L(0));
-  IntOf<L>(static_cast<std::int32_t>(lamp)).store_compressed(which, queue.light_shape.data() + i);
-  met.rays.of(wave.rays.slot).store_compressed(which, queue.slot.data() + i);
-  met.rays.of(wave.rays.medium).store_compressed(which, queue.medium.data() + i);
-  if (!may_remember) return;
-  for_each_lane(which, [&](int k) { queue.source.set(i++, wave.source_at(met.hits[k], false)); });
-}
-
 // Queues what samples of a light add at several hits, where both the surface and its shading normal
 // face it.
 template <class Real, template <class> class Response, class L, class Placed>
@@ -146,8 +125,9 @@ void queue_light(Wave<Real>& wave, const Entries<L>& hits, const LightSample<L>&
       Response<L>::scattered(LitSurfaces<L>(wave, hits, faces),
                              {met.shading_normal, view, sample, cosine, light.casts_shadows});
   auto& queue = light.casts_shadows ? wave.light_paths : wave.unshadowed;
-  queue_paths(wave, met, faces && !is_black(scattered), sample, light.visible_shape,
-              met.weight * scattered, queue);
+  const IntOf<L> lamp(static_cast<std::int32_t>(light.visible_shape));
+  queue.append(faces && !is_black(scattered), hits.index(), sample.direction, sample.distance, lamp,
+               met.weight * scattered);
 }
 
 // Calls sample(hits) for the hits of the kind, and queues what it gives.

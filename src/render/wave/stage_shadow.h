@@ -8,40 +8,74 @@
 
 namespace alhazen::render {
 
-template <class Real>
-void add_unshadowed(Wave<Real>& wave) {
-  for (std::size_t i = 0; i < wave.unshadowed.size(); ++i) {
-    wave.slots.radiance[wave.unshadowed.slot[i]] += wave.unshadowed.radiance[i];
+// Several light paths of the generation.
+template <class L>
+struct LightPaths {
+  using Real = ScalarOf<L>;
+
+  LightPaths(const Wave<Real>& wave_, const ShadowQueue<Real>& paths, const Entries<L>& at)
+      : wave(wave_),
+        hits(at.of(paths.hit), at.active()),
+        rays(hits.of(wave.hits.ray), at.active()),
+        active(at.active()),
+        ray{hits.of(wave.hits.position), at.of(paths.direction)},
+        distance(at.of(paths.distance)),
+        lamp(at.of(paths.light_shape)),
+        radiance(at.of(paths.radiance)) {
+    const MaskOf<L> above = hits.of(wave.hits.hit.enters) != IntOf<L>(0);
+    from = {hits.of(wave.hits.hit.shape), hits.of(wave.hits.hit.face),
+            select(above, IntOf<L>(static_cast<int>(Side::kAbove)),
+                   IntOf<L>(static_cast<int>(Side::kBelow)))};
   }
-}
+  Source source_of(int lane) const { return wave.source_at(hits[lane], false); }
+
+  const Wave<Real>& wave;
+  Entries<L> hits, rays;  // where they start, and what came there
+  MaskOf<L> active;
+  Ray<L> ray;
+  L distance;
+  IntOf<L> lamp;
+  Rgb<L> radiance;
+  DepartureLanes<L> from;
+};
 
 template <class Real>
 void count_shadow_rays(Wave<Real>& wave) {
-  wave.counters.shadow_rays += wave.light_paths.size();
+  const ShadowQueue<Real>& paths = wave.light_paths;
+  wave.counters.shadow_rays += paths.size();
   if (wave.slots.rays.empty()) return;
-  for (std::size_t i = 0; i < wave.light_paths.size(); ++i)
-    ++wave.slots.rays[wave.light_paths.slot[i]];
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    ++wave.slots.rays[wave.slot_of_hit(static_cast<std::size_t>(paths.hit[i]))];
 }
 
+// Adds radiance to the samples of the paths, in their order.
 template <class L>
-Ray<L> rays_at(const ShadowQueue<ScalarOf<L>>& paths, const Entries<L>& at) {
-  return {at.of(paths.origin), at.of(paths.direction)};
+void add_arrived(Wave<ScalarOf<L>>& wave, const LightPaths<L>& paths, MaskOf<L> which,
+                 const Rgb<L>& radiance) {
+  const Colors<L> arrived(radiance);
+  const Numbers<IntOf<L>> slot(paths.rays.of(wave.rays.slot));
+  for_each_lane(which, [&](int k) { wave.slots.radiance[slot[k]] += arrived[k]; });
+}
+
+template <class Real>
+void add_unshadowed(Wave<Real>& wave) {
+  using L = Wide<Real>;
+  for_lanes<L>(wave.unshadowed.size(), [&](const Entries<L>& at) {
+    const LightPaths<L> paths(wave, wave.unshadowed, at);
+    add_arrived(wave, paths, paths.active, paths.radiance);
+  });
 }
 
 template <class Real>
 void add_past_opaque(Wave<Real>& wave) {
   using L = Wide<Real>;
-  const ShadowQueue<Real>& paths = wave.light_paths;
   count_shadow_rays(wave);
-  for_lanes<L>(paths.size(), [&](const Entries<L>& at) {
+  for_lanes<L>(wave.light_paths.size(), [&](const Entries<L>& at) {
+    const LightPaths<L> paths(wave, wave.light_paths, at);
     const MaskOf<L> blocked = any_hits(
-        wave.world.tree, rays_at(paths, at), paths.source.departures(at),
-        [&](int lane) { return paths.source[at[lane]]; }, at.of(paths.distance),
-        at.of(paths.light_shape), at.active());
-    for_each_lane(at.active() && !blocked, [&](int k) {
-      const std::size_t i = at[k];
-      wave.slots.radiance[paths.slot[i]] += paths.radiance[i];
-    });
+        wave.world.tree, paths.ray, paths.from, [&](int lane) { return paths.source_of(lane); },
+        paths.distance, paths.lamp, paths.active);
+    add_arrived(wave, paths, paths.active && !blocked, paths.radiance);
   });
 }
 
@@ -84,14 +118,15 @@ struct LightPath {
 
 // Follows one path through every surface up to the light; what arrives of 1. The path is one
 // straight line: its hits are visited in their order on it, and nothing starts anew.
-template <class Real>
-Rgb<Real> follow_alone(Wave<Real>& wave, std::size_t i, LightPath<Real> path) {
-  const ShadowQueue<Real>& paths = wave.light_paths;
+template <class L>
+Rgb<ScalarOf<L>> follow_alone(Wave<ScalarOf<L>>& wave, const LightPaths<L>& paths, int lane,
+                              LightPath<ScalarOf<L>> path) {
+  using Real = ScalarOf<L>;
   const World<Real>& world = wave.world;
-  const Ray<Real> ray{paths.origin[i], paths.direction[i]};
-  const Source source = paths.source[i];
-  const Real distance = paths.distance[i];
-  const auto lamp = static_cast<ShapeId>(paths.light_shape[i]);
+  const Ray<Real> ray = one_ray(paths.ray, lane);
+  const Source source = paths.source_of(lane);
+  const Real distance = paths.distance[lane];
+  const auto lamp = static_cast<ShapeId>(paths.lamp[lane]);
   auto& [hit, medium, travelled, share] = path;
   for (; !is_black(share); hit = next_hit(world.tree, ray, source, *hit, distance, lamp)) {
     const Real here = hit ? hit->t : distance;
@@ -126,18 +161,15 @@ Rgb<Real> follow_alone(Wave<Real>& wave, std::size_t i, LightPath<Real> path) {
 // The same for several paths, from what they have met first. They go together while what they cross
 // is plain; one that is not goes on alone.
 template <class L>
-Rgb<L> follow_to_light(Wave<ScalarOf<L>>& wave, const Entries<L>& at, HitLanes<L> hit) {
+Rgb<L> follow_to_light(Wave<ScalarOf<L>>& wave, const LightPaths<L>& paths, HitLanes<L> hit) {
   using Real = ScalarOf<L>;
   using Int = IntOf<L>;
   using Mask = MaskOf<L>;
-  const ShadowQueue<Real>& paths = wave.light_paths;
   const World<Real>& world = wave.world;
-  const Ray<L> ray = rays_at(paths, at);
-  const L distance = at.of(paths.distance);
-  Int medium = at.of(paths.medium);
+  Int medium = paths.rays.of(wave.rays.medium);
   L travelled(0);
   Rgb<L> share(L(1));
-  for (Mask under_way = at.active();;) {
+  for (Mask under_way = paths.active;;) {
     const Mask met = under_way && hit.found;
     const Int material = world.template materials_at<L>(hit.shape, met);
     const Int way = world.materials.template ways_of<L>(material, met);
@@ -148,47 +180,43 @@ Rgb<L> follow_to_light(Wave<ScalarOf<L>>& wave, const Entries<L>& at, HitLanes<L
     const Mask alone = met && !ends && !plain.is;
     for_each_lane(alone, [&](int k) {
       const Rgb<Real> arrives =
-          follow_alone<Real>(wave, at[k],
-                             {hit[k], static_cast<MediumId>(medium[k]), travelled[k],
-                              Rgb<Real>(share.r[k], share.g[k], share.b[k])});
+          follow_alone(wave, paths, k,
+                       {hit[k], static_cast<MediumId>(medium[k]), travelled[k],
+                        Rgb<Real>(share.r[k], share.g[k], share.b[k])});
       share.r.set(k, arrives.r);
       share.g.set(k, arrives.g);
       share.b.set(k, arrives.b);
     });
     under_way = under_way && !ends && !alone;
     if (!any(under_way)) return share;
-    const L here = select(hit.found, hit.t, distance);
+    const L here = select(hit.found, hit.t, paths.distance);
     share = share * share_left(wave, medium, here - travelled, under_way);
     if (!any(plain.is)) return share;
     const SurfacePoint<L> point = world.shapes.template plain_surface<L>(
-        hit.shape, ray, Crossing<L>{hit.t, hit.face, hit.enters}, plain.is);
+        hit.shape, paths.ray, Crossing<L>{hit.t, hit.face, hit.enters}, plain.is);
     const L passes = straight_transmission(plain.ior_here, plain.ior_behind,
-                                           absolute(dot(ray.direction, point.normal)));
+                                           absolute(dot(paths.ray.direction, point.normal)));
     share = select(plain.is, passes * share, share);
     medium = plain.behind;
     travelled = here;
     under_way = plain.is && !is_black(share);
     if (!any(under_way)) return share;
     hit = next_hits(
-        world.tree, ray, paths.source.departures(at),
-        [&](int lane) { return paths.source[at[lane]]; }, hit, distance, at.of(paths.light_shape),
-        under_way);
+        world.tree, paths.ray, paths.from, [&](int lane) { return paths.source_of(lane); }, hit,
+        paths.distance, paths.lamp, under_way);
   }
 }
 
 template <class Real>
 void add_through_glass(Wave<Real>& wave) {
   using L = Wide<Real>;
-  const ShadowQueue<Real>& paths = wave.light_paths;
   count_shadow_rays(wave);
-  for_lanes<L>(paths.size(), [&](const Entries<L>& at) {
+  for_lanes<L>(wave.light_paths.size(), [&](const Entries<L>& at) {
+    const LightPaths<L> paths(wave, wave.light_paths, at);
     const HitLanes<L> first = closest_hits(
-        wave.world.tree, rays_at(paths, at), paths.source.departures(at),
-        [&](int lane) { return paths.source[at[lane]]; }, at.of(paths.distance),
-        at.of(paths.light_shape), at.active());
-    const Colors<L> arrives(at.of(paths.radiance) * follow_to_light(wave, at, first));
-    for_each_lane(at.active(),
-                  [&](int k) { wave.slots.radiance[paths.slot[at[k]]] += arrives[k]; });
+        wave.world.tree, paths.ray, paths.from, [&](int lane) { return paths.source_of(lane); },
+        paths.distance, paths.lamp, paths.active);
+    add_arrived(wave, paths, paths.active, paths.radiance * follow_to_light(wave, paths, first));
   });
 }
 

@@ -93,6 +93,8 @@ struct Wave {
     return world.ior_of(media.current(medium, world.materials.priorities()));
   }
 
+  SlotId slot_of_hit(std::size_t h) const { return static_cast<SlotId>(rays.slot[hits.ray_of(h)]); }
+
   // Where there is nothing to meet.
   void escape_all() {
     for (std::size_t i = 0; i < rays.size(); ++i)
