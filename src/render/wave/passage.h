@@ -37,30 +37,64 @@ Passage<Real> cross_shape(const World<Real>& world, MediumPool& media, MediumId 
   return {here, false, ior, ior};
 }
 
-// The surfaces of dielectric solids where nothing is nested: from empty space into the solid, or
-// out of it again. There the list of media is the solid's material or none, and crossing is from
-// one to the other; nothing has to be looked up, so lanes go together.
+// The list of media that a ray is in before it meets a surface. Who leaves a solid it was not known
+// to be in has been in it all along: the camera stands in an open shape.
+inline MediumId before_surface(MediumPool& media, MediumId here, MaterialId material,
+                               bool entering) {
+  return entering || media.contains(here, material) ? here : media.enter(here, material);
+}
+
+// Whether lanes of rays are where nothing is nested: they come from empty space into the solid, or
+// out of it again. There the list of media is the solid's material or none, and crossing its
+// surface is from one to the other; nothing has to be looked up.
 template <class L>
-struct PlainPassage {
-  MaskOf<L> is;     // the others mean nothing
-  IntOf<L> behind;  // a MediumId
+MaskOf<L> is_plain_passage(const IntOf<L>& here, const IntOf<L>& material, MaskOf<L> enters,
+                           MaskOf<L> active) {
+  return active && ((enters && here == IntOf<L>(kVacuum)) || (!enters && here == material));
+}
+
+// What lanes of rays cross.
+template <class L>
+struct PassageLanes {
+  IntOf<L> here, behind;  // lists of media: before the surface, and beyond it
+  MaskOf<L> is_interface;
   L ior_here, ior_behind;
-
-  PlainPassage(const World<ScalarOf<L>>& world, const IntOf<L>& here, const IntOf<L>& material,
-               MaskOf<L> enters, MaskOf<L> active)
-      : is(is_plain(here, material, enters, active)),
-        behind(select(enters, material, IntOf<L>(kVacuum))) {
-    const L ior =
-        world.materials.template numbers_of<L>(&MaterialRecord<ScalarOf<L>>::ior, material, is);
-    ior_here = select(enters, L(1), ior);
-    ior_behind = select(enters, ior, L(1));
-  }
-
-  static MaskOf<L> is_plain(const IntOf<L>& here, const IntOf<L>& material, MaskOf<L> enters,
-                            MaskOf<L> active) {
-    return active && ((enters && here == IntOf<L>(kVacuum)) || (!enters && here == material));
-  }
 };
+
+// At shapes of dielectric materials, by rays that were last known to be in `medium`.
+template <class L>
+PassageLanes<L> cross_shapes(Wave<ScalarOf<L>>& wave, const IntOf<L>& medium, const IntOf<L>& shape,
+                             const IntOf<L>& material, MaskOf<L> enters, MaskOf<L> active) {
+  using Real = ScalarOf<L>;
+  const World<Real>& world = wave.world;
+  MaskOf<L> plain = is_plain_passage<L>(medium, material, enters, active);
+  if (world.has_sheets) {
+    for_each_lane(plain, [&](int k) {
+      if (world.thin[static_cast<ShapeId>(shape[k])]) {
+        plain = plain && !MaskOf<L>::from_bits(std::uint32_t{1} << k);
+      }
+    });
+  }
+  const L ior = world.materials.template numbers_of<L>(&MaterialRecord<Real>::ior, material, plain);
+  PassageLanes<L> result{medium, select(enters, material, IntOf<L>(kVacuum)), plain,
+                         select(enters, L(1), ior), select(enters, ior, L(1))};
+  std::uint32_t interfaces = plain.bits();
+  for_each_lane(active && !plain, [&](int k) {
+    const auto id = static_cast<ShapeId>(shape[k]);
+    auto here = static_cast<MediumId>(medium[k]);
+    if (!world.thin[id]) {
+      here = before_surface(wave.media, here, static_cast<MaterialId>(material[k]), enters[k]);
+    }
+    const Passage<Real> one = cross_shape(world, wave.media, here, id, enters[k]);
+    result.here.set(k, here);
+    result.behind.set(k, one.behind);
+    result.ior_here.set(k, one.ior_here);
+    result.ior_behind.set(k, one.ior_behind);
+    if (one.is_interface) interfaces |= std::uint32_t{1} << k;
+  });
+  result.is_interface = MaskOf<L>::from_bits(interfaces);
+  return result;
+}
 
 // The share of light that is left after `distance` in what fills the lists of media (Beer and
 // Lambert's law); 1 where that is empty space, and in lanes that are not active.
@@ -78,13 +112,6 @@ Rgb<L> share_left(const Wave<ScalarOf<L>>& wave, const IntOf<L>& medium, const L
   const Rgb<L> absorption = wave.world.materials.template records_of<L>(
       &MaterialRecord<ScalarOf<L>>::absorption, inside, filled);
   return select(filled, transmitted_share(absorption, distance), Rgb<L>(L(1)));
-}
-
-// The list of media that a ray is in before it meets a surface. Who leaves a solid it was not known
-// to be in has been in it all along: the camera stands in an open shape.
-inline MediumId before_surface(MediumPool& media, MediumId here, MaterialId material,
-                               bool entering) {
-  return entering || media.contains(here, material) ? here : media.enter(here, material);
 }
 
 }  // namespace alhazen::render

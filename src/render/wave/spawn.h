@@ -16,6 +16,10 @@ struct Offspring {
   Vec3<L> direction;
   Rgb<L> weight;
   IntOf<L> medium;  // a MediumId
+  // Goes on along its parent's line: only where a deeper ray might, but is none. A line meets each
+  // shape twice at most; what would pass more surfaces than that is thrown to and fro between faces
+  // that rounding cannot tell apart, and gets deeper.
+  MaskOf<L> straight = false;
 };
 
 // Sends on what the hits of one list give rise to, kCount rays of each at most. Those of one kind
@@ -56,7 +60,7 @@ class Spawner {
   }
 
  private:
-  // As Wave::spawn: those of the rays that are sent on; the others are counted.
+  // Those of the rays that are sent on; the others are counted.
   Mask going_on(const Meeting<L>& met, const Offspring<L>& rays, const Mask& too_deep) {
     const Mask some = rays.exists && !is_black(rays.weight);
     const L largest = largest_channel(rays.weight);
@@ -88,11 +92,19 @@ class Spawner {
                       met.hits.of(wave_.hits.hit.face),
                       select(met.enters == Mask(rays.reflection), above, below), met.incident);
     rays.medium.store_compressed(going, next.medium.data() + first);
-    (depth + Int(1)).store_compressed(going, next.depth.data() + first);
+    const Mask straight = going && rays.straight;
+    const Mask counted = straight && !goes_to_and_fro(met, straight);
+    (depth + select(counted, Int(0), Int(1))).store_compressed(going, next.depth.data() + first);
     end_[c] += static_cast<std::size_t>(
         met.rays.of(wave_.rays.slot).store_compressed(going, next.slot.data() + first));
     std::fill_n(next.passed.data() + first, end_[c] - first, 0);
     std::size_t i = first;
+    if (any(straight)) {
+      for_each_lane(going, [&](int k) {
+        next.passed[i++] = straight[k] ? wave_.rays.passed[met.rays[k]] + (counted[k] ? 1 : 0) : 0;
+      });
+    }
+    i = first;
     if (names_paths_) {
       for_each_lane(going, [&](int k) {
         next.path[i++] = mix_64(wave_.rays.path[met.rays[k]], rays.reflection ? 1 : 2);
@@ -111,6 +123,14 @@ class Spawner {
     for_each_lane(going, [&](int k) {
       next.source.set(i++, wave_.source_at(met.hits[k], !rays.reflection));
     });
+  }
+
+  Mask goes_to_and_fro(const Meeting<L>& met, const Mask& straight) const {
+    const std::size_t most = 2 * wave_.world.material_of.size();
+    std::uint32_t bits = 0;
+    for_each_lane(straight,
+                  [&](int k) { bits |= (wave_.rays.passed[met.rays[k]] < most ? 0U : 1U) << k; });
+    return Mask::from_bits(bits);
   }
 
   SlotId slot_of(const Meeting<L>& met, int lane) const {

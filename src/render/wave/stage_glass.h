@@ -24,21 +24,14 @@ void refract_in_glass(Wave<Real>& wave) {
   Spawner<Real, 2> spawner(wave, wave.of(SurfaceKind::glass).size());
   for_lanes<L>(wave.of(SurfaceKind::glass), [&](const Entries<L>& hits) {
     const Meeting<L> met(wave, hits);
-    const IntOf<L> here = met.rays.of(wave.rays.medium), material = hits.of(wave.hits.material);
-    const PlainPassage<L> plain(wave.world, here, material, met.enters, hits.active());
-    L eta = select(plain.is, plain.ior_here / plain.ior_behind, L(1));
-    IntOf<L> behind = plain.behind;
-    for_each_lane(hits.active() && !plain.is, [&](int k) {
-      const Passage<Real> passage =
-          cross_surface(wave.world, wave.media, static_cast<MediumId>(here[k]),
-                        static_cast<MaterialId>(material[k]), met.enters[k]);
-      behind.set(k, passage.behind);
-      eta.set(k, passage.ior_here / passage.ior_behind);
-    });
+    const PassageLanes<L> passage =
+        cross_shapes<L>(wave, met.rays.of(wave.rays.medium), hits.of(wave.hits.hit.shape),
+                        hits.of(wave.hits.material), met.enters, hits.active());
+    const L eta = passage.ior_here / passage.ior_behind;
     const DielectricInterface<L> interface = dielectric_interface(incident_cosine(met), eta);
     const Offspring<L> passing{false, hits.active() && !interface.total_reflection,
                                crossing_direction(met, eta, interface),
-                               interface.transmittance * met.weight, behind};
+                               interface.transmittance * met.weight, passage.behind};
     spawner.add(met,
                 {reflection(wave, met, hits.active(), Rgb<L>(interface.reflectance)), passing});
   });

@@ -105,7 +105,7 @@ void find_interfaces(Wave<Real>& wave) {
     const IntOf<L> way = world.materials.template ways_of<L>(material, met);
     const MaskOf<L> is_glass = way == IntOf<L>(static_cast<int>(Way::through_glass));
     const MaskOf<L> plain =
-        PlainPassage<L>::is_plain(at.of(wave.rays.medium), material, first.enters, met && is_glass);
+        is_plain_passage<L>(at.of(wave.rays.medium), material, first.enters, met && is_glass);
     if (any(met && !plain && way != IntOf<L>(static_cast<int>(Way::ends)))) {
       const HitNumbers<L> numbers(first);
       for_each_lane(at.active(), [&](int k) { keep_interface(wave, at[k], numbers[k]); });

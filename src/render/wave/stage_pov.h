@@ -21,7 +21,7 @@ void add_pov_glow(Wave<Real>& wave) {
 // Hits on finishes that reflect or are clear.
 template <class L>
 struct PovHits {
-  std::array<Passage<ScalarOf<L>>, L::kWidth> passage;
+  IntOf<L> behind;  // the lists of media beyond the surfaces
   PovSurface<L> surface;
   DielectricInterface<L> interface;
   L eta;
@@ -32,48 +32,51 @@ struct PovHits {
   MaskOf<L> reflects_totally;
 };
 
+// Against the surfaces' outward normals. An opaque surface that is met from behind, by a ray that
+// is not known to be inside of it, is the back of a sheet: POV-Ray takes either side of a sheet for
+// the outside.
+template <class Real, class L>
+MaskOf<L> pov_enters(const Wave<Real>& wave, const Meeting<L>& met, const IntOf<L>& medium,
+                     const IntOf<L>& material) {
+  const IntOf<L> way = wave.world.materials.template ways_of<L>(material, met.hits.active());
+  std::uint32_t backs = 0;
+  for_each_lane(met.hits.active() && !met.enters && way == IntOf<L>(static_cast<int>(Way::ends)),
+                [&](int k) {
+                  const bool inside = wave.media.contains(static_cast<MediumId>(medium[k]),
+                                                          static_cast<MaterialId>(material[k]));
+                  backs |= (inside ? 0U : 1U) << k;
+                });
+  return met.enters || MaskOf<L>::from_bits(backs);
+}
+
 // Index of this side over that of the other, as a `fresnel` reflection goes by it. On leaving one
 // solid of several it is not the one that rays are bent by: POV-Ray 3.7 takes the solid entered
 // last for the other side, also where that is the one being left.
-template <class Real>
-Real pov_fresnel_eta(const Passage<Real>& passage, Real own, bool entering) {
-  if (entering) return passage.ior_here / own;
-  return passage.behind == kVacuum ? own : own / passage.ior_here;
-}
-
-// What a ray crosses at a hit. An opaque surface that is met from behind, by a ray that is not
-// known to be inside of it, is the back of a sheet: POV-Ray takes either side of a sheet for the
-// outside.
-template <class Real>
-Passage<Real> pov_passage(Wave<Real>& wave, std::size_t h, bool& enters) {
-  const ShapeId shape = wave.hits.hit[h].shape;
-  const MaterialId id = wave.hits.material_of(h);
-  MediumId here = wave.rays.medium[wave.hits.ray_of(h)];
-  if (!wave.world.materials.route(id).pov_clear && !wave.media.contains(here, id)) enters = true;
-  if (!wave.world.thin[shape]) here = before_surface(wave.media, here, id, enters);
-  return cross_shape(wave.world, wave.media, here, shape, enters);
+template <class L>
+L pov_fresnel_eta(const PassageLanes<L>& passage, const L& own, MaskOf<L> entering) {
+  const L on_leaving = select(passage.behind == IntOf<L>(kVacuum), own, own / passage.ior_here);
+  return select(entering, passage.ior_here / own, on_leaving);
 }
 
 template <class Real, class L>
 PovHits<L> find_pov_hits(Wave<Real>& wave, const Meeting<L>& met) {
   PovHits<L> found;
-  found.surface = wave.world.materials.template records_of<L>(
-      &MaterialRecord<Real>::pov, met.hits.of(wave.hits.material), met.hits.active());
-  Real fresnel_eta[L::kWidth] = {};
-  found.eta = per_lane<L>(met.hits.active(), Real(1), [&](int k) {
-    const std::size_t h = met.hits[k];
-    bool enters = met.enters[k];
-    found.passage[k] = pov_passage(wave, h, enters);
-    const Real own = wave.world.materials[wave.hits.material_of(h)].ior;
-    fresnel_eta[k] = pov_fresnel_eta(found.passage[k], own, enters);
-    return found.passage[k].ior_here / found.passage[k].ior_behind;
-  });
+  const MaskOf<L> active = met.hits.active();
+  const IntOf<L> medium = met.rays.of(wave.rays.medium), material = met.hits.of(wave.hits.material);
+  const auto& materials = wave.world.materials;
+  found.surface = materials.template records_of<L>(&MaterialRecord<Real>::pov, material, active);
+  const MaskOf<L> enters = pov_enters(wave, met, medium, material);
+  const PassageLanes<L> passage =
+      cross_shapes<L>(wave, medium, met.hits.of(wave.hits.hit.shape), material, enters, active);
+  found.behind = passage.behind;
+  found.eta = passage.ior_here / passage.ior_behind;
   const L cosine = incident_cosine(met);
   const Rgb<L> color = met.hits.of(wave.hits.color);
   found.interface = dielectric_interface(cosine, found.eta);
   L fresnel = 0;
-  if (any(met.hits.active() && found.surface.fresnel != L(0))) {
-    fresnel = dielectric_interface(cosine, L::load(fresnel_eta)).reflectance;
+  if (any(active && found.surface.fresnel != L(0))) {
+    const L own = materials.template numbers_of<L>(&MaterialRecord<Real>::ior, material, active);
+    fresnel = dielectric_interface(cosine, pov_fresnel_eta(passage, own, enters)).reflectance;
   }
   found.reflected = pov_reflectance(found.surface, color, cosine, fresnel);
   const Rgb<L> passed = pov_passed(found.surface, color);
@@ -99,33 +102,22 @@ void reflect_as_pov(Wave<Real>& wave) {
 template <class Real>
 void transmit_as_pov(Wave<Real>& wave) {
   using L = Wide<Real>;
+  Spawner<Real, 2> spawner(wave, wave.pov_clear.size());
   for_lanes<L>(wave.pov_clear, [&](const Entries<L>& hits) {
-    const Meeting met(wave, hits);
+    const Meeting<L> met(wave, hits);
     const PovHits<L> found = find_pov_hits(wave, met);
     const MaskOf<L> leaves = hits.active() && found.surface.fades != L(0) && !met.enters;
     Rgb<L> left(L(1));
     if (any(leaves)) {
       left = select(leaves, pov_fade(found.surface, hits.of(wave.hits.hit.t)), left);
     }
-    const Vectors<L> position(met.position), incident(met.incident),
-        mirrored(mirror_direction(met)),
-        onward(crossing_direction(met, found.eta, found.interface));
-    const Colors<L> reflected(met.weight * left), passed(met.weight * (left * found.transmitted));
-    for_each_lane(hits.active(), [&](int k) {
-      const std::size_t h = hits[k], parent = met.rays[k];
-      if (found.reflects_totally[k]) {
-        wave.spawn(true, parent, {position[k], mirrored[k]}, wave.source_at(h, false), reflected[k],
-                   static_cast<MediumId>(wave.rays.medium[parent]));
-      }
-      if (found.interface.total_reflection[k]) return;
-      const MediumId behind = found.passage[k].behind;
-      const Source source = wave.source_at(h, true);
-      if (found.eta[k] == Real(1)) {
-        wave.spawn_straight(parent, {position[k], incident[k]}, source, passed[k], behind);
-      } else {
-        wave.spawn(false, parent, {position[k], onward[k]}, source, passed[k], behind);
-      }
-    });
+    const MaskOf<L> straight = found.eta == L(1);
+    const Vec3<L> onward = crossing_direction(met, found.eta, found.interface);
+    spawner.add(met,
+                {reflection(wave, met, hits.active() && found.reflects_totally, left),
+                 Offspring<L>{false, hits.active() && !found.interface.total_reflection,
+                              select(straight, met.incident, onward),
+                              met.weight * (left * found.transmitted), found.behind, straight}});
   });
 }
 

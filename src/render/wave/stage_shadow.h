@@ -88,78 +88,38 @@ Real straight_transmission(Real ior_here, Real ior_behind, Real cosine) {
   return dielectric_interface(cosine, lower / higher).transmittance;
 }
 
-// The share that a clear surface of POV-Ray's model lets through on a straight path, and what has
-// been lost on the way to it inside of its solid.
-template <class Real>
-Rgb<Real> pov_shadow(const World<Real>& world, const Ray<Real>& ray, const Hit<Real>& hit,
-                     Real distance) {
-  const MaterialRecord<Real>& material = world.materials[world.material_of[hit.shape]];
-  const auto solid = world.textures.solid_color(material.color);
-  Rgb<Real> share;
-  if (solid) {
-    share = pov_passed(material.pov, *solid);
-  } else {
-    const SurfacePoint<Real> p = world.shapes.surface(hit.shape, ray, hit.crossing());
-    const TexturePoint<Real> at{p.object_position, p.position, p.u, p.v};
-    share = pov_passed(material.pov, world.textures.color(material.color, at));
-  }
-  const bool leaves = material.pov.fades && !hit.enters;
-  return leaves ? share * pov_fade(material.pov, distance) : share;
-}
-
-// How far a path to a light has come: it has met `hit`, or nothing more.
-template <class Real>
-struct LightPath {
-  std::optional<Hit<Real>> hit;
-  MediumId medium;
-  Real travelled;
-  Rgb<Real> share;  // of the light that is left
-};
-
-// Follows one path through every surface up to the light; what arrives of 1. The path is one
-// straight line: its hits are visited in their order on it, and nothing starts anew.
+// The share that clear surfaces of POV-Ray's model let through on straight paths, and what has been
+// lost on the way to them inside of their solids.
 template <class L>
-Rgb<ScalarOf<L>> follow_alone(Wave<ScalarOf<L>>& wave, const LightPaths<L>& paths, int lane,
-                              LightPath<ScalarOf<L>> path) {
+Rgb<L> pov_shadow(const World<ScalarOf<L>>& world, const Ray<L>& ray, const HitLanes<L>& hit,
+                  const IntOf<L>& material, const L& distance, MaskOf<L> which) {
   using Real = ScalarOf<L>;
-  const World<Real>& world = wave.world;
-  const Ray<Real> ray = one_ray(paths.ray, lane);
-  const Source source = paths.source_of(lane);
-  const Real distance = paths.distance[lane];
-  const auto lamp = static_cast<ShapeId>(paths.lamp[lane]);
-  auto& [hit, medium, travelled, share] = path;
-  for (; !is_black(share); hit = next_hit(world.tree, ray, source, *hit, distance, lamp)) {
-    const Real here = hit ? hit->t : distance;
-    const MaterialId material = hit ? world.material_of[hit->shape] : kNoId;
-    const bool is_pov = hit && world.materials[material].pov_clear;
-    if (hit) {
-      if (!is_pov && world.materials[material].kind != SurfaceKind::glass) return Rgb<Real>{};
-      if (!world.thin[hit->shape]) {
-        medium = before_surface(wave.media, medium, material, hit->enters);
-      }
-    }
-    const MaterialId inside = wave.media.current(medium, world.materials.priorities());
-    if (inside != kNoId) {
-      share = share * transmitted_share(world.materials[inside].absorption, here - travelled);
-    }
-    if (!hit) break;
-    const Passage<Real> passage = cross_shape(world, wave.media, medium, hit->shape, hit->enters);
-    if (is_pov) {
-      share = share * pov_shadow(world, ray, *hit, here - travelled);
-    } else if (passage.is_interface) {
-      const SurfacePoint<Real> point = world.shapes.plain_surface(hit->shape, ray, hit->crossing());
-      share = straight_transmission(passage.ior_here, passage.ior_behind,
-                                    absolute(dot(ray.direction, point.normal))) *
-              share;
-    }
-    medium = passage.behind;
-    travelled = here;
+  const auto of_material = [&](auto member) {
+    return world.materials.template records_of<L>(member, material, which);
+  };
+  const auto record = [&](int k) -> const MaterialRecord<Real>& {
+    return world.materials[static_cast<MaterialId>(material[k])];
+  };
+  Rgb<L> color = of_material(&MaterialRecord<Real>::solid_color);
+  std::uint32_t textured = 0;
+  for_each_lane(which, [&](int k) { textured |= (record(k).textured ? 1U : 0U) << k; });
+  if (const auto asks = MaskOf<L>::from_bits(textured); any(asks)) {
+    const SurfacePoint<L> p = world.shapes.template surface<L>(
+        hit.shape, ray, Crossing<L>{hit.t, hit.face, hit.enters}, asks);
+    const IntOf<L> texture = per_lane<IntOf<L>>(
+        asks, 0, [&](int k) { return static_cast<LaneInt<Real>>(record(k).color); });
+    const TexturePoint<L> at{p.object_position, p.position, p.u, p.v};
+    color = select(asks, world.textures.template color<L>(texture, at, asks), color);
   }
-  return share;
+  const PovSurface<L> surface = of_material(&MaterialRecord<Real>::pov);
+  const Rgb<L> share = pov_passed(surface, color);
+  const MaskOf<L> fades = which && surface.fades != L(0) && !hit.enters;
+  return any(fades) ? select(fades, share * pov_fade(surface, distance), share) : share;
 }
 
-// The same for several paths, from what they have met first. They go together while what they cross
-// is plain; one that is not goes on alone.
+// Follows paths through every surface up to the light, from what they have met first; what arrives
+// of 1. Each path is one straight line: its hits are visited in their order on it, and nothing
+// starts anew.
 template <class L>
 Rgb<L> follow_to_light(Wave<ScalarOf<L>>& wave, const LightPaths<L>& paths, HitLanes<L> hit) {
   using Real = ScalarOf<L>;
@@ -174,32 +134,30 @@ Rgb<L> follow_to_light(Wave<ScalarOf<L>>& wave, const LightPaths<L>& paths, HitL
     const Int material = world.template materials_at<L>(hit.shape, met);
     const Int way = world.materials.template ways_of<L>(material, met);
     const Mask ends = met && way == Int(static_cast<int>(Way::ends));
+    const Mask is_clear = met && way == Int(static_cast<int>(Way::through_clear));
     share = select(ends, Rgb<L>(L(0)), share);
-    const Mask is_glass = met && way == Int(static_cast<int>(Way::through_glass));
-    const PlainPassage<L> plain(world, medium, material, hit.enters, is_glass);
-    const Mask alone = met && !ends && !plain.is;
-    for_each_lane(alone, [&](int k) {
-      const Rgb<Real> arrives =
-          follow_alone(wave, paths, k,
-                       {hit[k], static_cast<MediumId>(medium[k]), travelled[k],
-                        Rgb<Real>(share.r[k], share.g[k], share.b[k])});
-      share.r.set(k, arrives.r);
-      share.g.set(k, arrives.g);
-      share.b.set(k, arrives.b);
-    });
-    under_way = under_way && !ends && !alone;
+    under_way = under_way && !ends;
     if (!any(under_way)) return share;
+    const Mask passes = met && !ends;
+    const PassageLanes<L> passage =
+        cross_shapes<L>(wave, medium, hit.shape, material, hit.enters, passes);
     const L here = select(hit.found, hit.t, paths.distance);
-    share = share * share_left(wave, medium, here - travelled, under_way);
-    if (!any(plain.is)) return share;
-    const SurfacePoint<L> point = world.shapes.template plain_surface<L>(
-        hit.shape, paths.ray, Crossing<L>{hit.t, hit.face, hit.enters}, plain.is);
-    const L passes = straight_transmission(plain.ior_here, plain.ior_behind,
-                                           absolute(dot(paths.ray.direction, point.normal)));
-    share = select(plain.is, passes * share, share);
-    medium = plain.behind;
+    share = share * share_left(wave, passage.here, here - travelled, under_way);
+    if (!any(passes)) return share;
+    if (any(is_clear)) {
+      const Rgb<L> left = pov_shadow(world, paths.ray, hit, material, here - travelled, is_clear);
+      share = select(is_clear, share * left, share);
+    }
+    if (const Mask bends = passage.is_interface && !is_clear; any(bends)) {
+      const SurfacePoint<L> point = world.shapes.template plain_surface<L>(
+          hit.shape, paths.ray, Crossing<L>{hit.t, hit.face, hit.enters}, bends);
+      const L passed = straight_transmission(passage.ior_here, passage.ior_behind,
+                                             absolute(dot(paths.ray.direction, point.normal)));
+      share = select(bends, passed * share, share);
+    }
+    medium = passage.behind;
     travelled = here;
-    under_way = plain.is && !is_black(share);
+    under_way = passes && !is_black(share);
     if (!any(under_way)) return share;
     hit = next_hits(
         world.tree, paths.ray, paths.from, [&](int lane) { return paths.source_of(lane); }, hit,

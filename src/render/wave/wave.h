@@ -140,54 +140,7 @@ struct Wave {
     }
   }
 
-  // Sends a ray on one deeper, or counts why not. `reflection` tells the two kinds apart in the
-  // figures.
-  void spawn(bool reflection, std::size_t parent, const Ray<Real>& ray, const Source& source,
-             Rgb<Real> weight, MediumId medium) {
-    if (!may_go_deeper(parent, weight)) return;
-    send(reflection, parent, ray, source, weight, medium, rays.depth[parent] + 1, 0);
-  }
-
-  // The same for a ray that goes on along its parent's line: it may go on only where a deeper one
-  // might, but is none. A line meets each shape twice at most; what would pass more surfaces than
-  // that is thrown to and fro between faces that rounding cannot tell apart, and gets deeper.
-  void spawn_straight(std::size_t parent, const Ray<Real>& ray, const Source& source,
-                      Rgb<Real> weight, MediumId medium) {
-    if (!may_go_deeper(parent, weight)) return;
-    const std::uint32_t passed = rays.passed[parent];
-    const bool is_real = passed < 2 * world.material_of.size();
-    send(false, parent, ray, source, weight, medium, rays.depth[parent] + (is_real ? 0 : 1),
-         is_real ? passed + 1 : passed);
-  }
-
  private:
-  bool may_go_deeper(std::size_t parent, Rgb<Real> weight) {
-    if (is_black(weight)) return false;
-    const SlotId slot = rays.slot[parent];
-    if (rays.depth[parent] >= world.max_depth) {
-      ++counters.cut_by_depth;
-      slots.dropped[slot] += weight;
-      return false;
-    }
-    const Real largest = largest_channel(weight);
-    if (!slots.margin.empty()) weigh(slot, relative_gap(largest, world.cutoff));
-    if (largest < world.cutoff) {
-      ++counters.cut_by_weight;
-      slots.dropped[slot] += weight;
-      return false;
-    }
-    return true;
-  }
-
-  void send(bool reflection, std::size_t parent, const Ray<Real>& ray, const Source& source,
-            Rgb<Real> weight, MediumId medium, std::uint32_t depth, std::uint32_t passed) {
-    ++(reflection ? counters.reflection_rays : counters.refraction_rays);
-    const auto slot = static_cast<SlotId>(rays.slot[parent]);
-    if (!slots.rays.empty()) ++slots.rays[slot];
-    const std::uint64_t branch = reflection ? 1 : 2;
-    next.push(ray, source, weight, slot, medium, mix_64(rays.path[parent], branch), depth, passed);
-  }
-
   void start_list(List& list) {
     list.clear();
     list.make_room(rays.size());

@@ -41,6 +41,7 @@ struct World {
       const bool is_pov = material.kind == SurfaceKind::pov;
       material_of.push_back(shape.material);
       thin.push_back(material.pov_clear && !closed && material.ior == 1 && !material.pov.fades);
+      has_sheets = has_sheets || thin.back() != 0;
       if (closed && (is_pov || material.kind == SurfaceKind::glass)) solids.push_back(id);
     }
   }
@@ -88,6 +89,7 @@ struct World {
   BackgroundRadiance<Real> background;
   std::vector<MaterialId> material_of;  // of each shape
   std::vector<std::uint8_t> thin;       // of each shape: a clear sheet with nothing inside
+  bool has_sheets = false;              // any of them is thin
   std::vector<ShapeId> solids;          // that a camera may be inside of, in the scene's order
   Filter filter;
   Real cutoff;
