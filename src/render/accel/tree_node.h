@@ -28,7 +28,7 @@ class TreeChild {
   static constexpr std::uint32_t kShape = 0x80000000;
   explicit TreeChild(std::uint32_t word) : word_(word) {}
 
-  std::uint32_t word_ = 0;
+  std::uint32_t word_;  // stacks of children are not to be filled with anything first
 };
 
 // The boxes of up to eight children, side by side for lanes. An absent child has the empty box, min
@@ -37,7 +37,7 @@ struct TreeNode {
   enum : std::size_t { kMin, kMax };
 
   std::array<std::array<std::array<float, kNodeWidth>, 2>, 3> planes;  // [axis][kMin, kMax][child]
-  std::array<TreeChild, kNodeWidth> children;
+  std::array<TreeChild, kNodeWidth> children{};
 
   TreeNode() {
     for (std::size_t k = 0; k < kNodeWidth; ++k)
