@@ -2,10 +2,9 @@
 #pragma once
 
 #include <tuple>
-#include <type_traits>
 
-#include "core/math/elementary.h"
 #include "core/math/vec.h"
+#include "render/simd/elementary.h"
 
 namespace alhazen::render {
 
@@ -38,23 +37,10 @@ inline Frame<double> frame_around(Vec3d origin, Vec3d z) {
   return {origin, cross(z, y), y, z};
 }
 
-// atan2_turns of one number or of each lane.
-template <class Real>
-inline Real arc_turns(Real y, Real x) {
-  if constexpr (std::is_same_v<Real, ScalarOf<Real>>) {
-    return atan2_turns(y, x);
-  } else {
-    Real turns;
-    for (int i = 0; i < Real::kWidth; ++i)
-      turns.set(i, atan2_turns(y[i], x[i]));
-    return turns;
-  }
-}
-
 // The angle of (x, y) in [0, 1] turns; 1 only when it rounds to a full turn.
 template <class Real>
 inline Real turn_of(Real x, Real y) {
-  const Real turn = arc_turns(y, x);
+  const Real turn = atan2_turns(y, x);
   return select(turn < Real(0), turn + Real(1), turn);
 }
 
