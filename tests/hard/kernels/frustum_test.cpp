@@ -2,7 +2,8 @@
 //
 // A frame that is not the world's is a rotation, and rotating a ray rounds it: by one eps of its
 // length, which moves t by `condition` times as much. So t is judged against its condition; along
-// the axes, where the frame rounds nothing, against t itself.
+// the axes, where the frame rounds nothing, against t itself. Near the tip of a cone the condition
+// of first order says too little: there a ray that is moved says how much (support.h).
 #include "render/shape/frustum.h"
 
 #include <cmath>
@@ -20,8 +21,7 @@ using render::convert;
 using render::from_scene;
 using render::Frustum;
 
-// The catalogue's.
-constexpr double kBound = 16;
+constexpr double kBound = kRoundings;  // the catalogue's
 
 // Whether frusta that are wider and narrower by 4 roundings of the numbers in play are crossed
 // equally often.
