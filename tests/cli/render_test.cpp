@@ -1,5 +1,7 @@
 // tests/cli: pictures from the outside: the same bits for threads, runs and pieces; files whole or
 // not at all.
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -41,15 +43,53 @@ TEST_F(Render, SameBytesTwiceAndOnAnyNumberOfThreads) {
   EXPECT_TRUE(bytes == read("d.exr"));
 }
 
+// A margin of 2^-10 is 2^14 roundings of a float: where no decision is closer, float and double
+// must have decided alike. A signature is two whole numbers below 2^24.
+TEST_F(Render, FloatDecidesAsDoubleDoesWhereTheMarginIsWide) {
+  render({"-o", "double.exr", "--float", "--aov", "signature,margin"});
+  render({"-o", "float.exr", "--float", "--aov", "signature,margin", "--precision", "float"});
+  const auto values = [this](const char* file, const std::string& channel) {
+    std::vector<float> found;
+    for (const render::ExrPart& part : parts(file)) {
+      for (std::size_t c = 0; c < part.pixels.channel_count(); ++c) {
+        if (part.pixels.names()[c] != channel) continue;
+        for (int row = 0; row < 32; ++row) {
+          for (int column = 0; column < 48; ++column)
+            found.push_back(part.pixels.at(c, column, row));
+        }
+      }
+    }
+    return found;
+  };
+  const std::vector<float> margin = values("double.exr", "margin.V");
+  ASSERT_EQ(margin.size(), 48 * 32);
+  std::size_t wide = 0;
+  for (const char* half : {"signature.hi", "signature.lo"}) {
+    const auto in_double = values("double.exr", half), in_float = values("float.exr", half);
+    ASSERT_EQ(in_double.size(), margin.size());
+    ASSERT_EQ(in_float.size(), margin.size());
+    for (std::size_t p = 0; p < margin.size(); ++p) {
+      ASSERT_TRUE(margin[p] >= 0 && margin[p] <= 1);
+      ASSERT_TRUE(in_double[p] == std::floor(in_double[p]) && in_double[p] < 0x1p24F);
+      if (margin[p] < 0x1p-10F) continue;
+      ++wide;
+      EXPECT_EQ(in_double[p], in_float[p]) << half << " of pixel " << p;
+    }
+    EXPECT_NE(*std::ranges::min_element(in_double), *std::ranges::max_element(in_double));
+  }
+  EXPECT_GT(wide, margin.size());  // of two halves, so more than half of the pixels
+}
+
 TEST_F(Render, PiecesPutTogetherAreTheWholePicture) {
   for (const char* precision : {"float", "double"}) {
-    render({"-o", "whole.exr", "--float", "--aov", "all", "--precision", precision});
+    const std::string aovs = "all,signature,margin";
+    render({"-o", "whole.exr", "--float", "--aov", aovs, "--precision", precision});
     const auto whole = parts("whole.exr");
     std::size_t compared = 0;
     // Pieces of unlike sizes that tile the frame of 48 x 32.
     for (const char* crop : {"0,0,17,32", "17,0,31,5", "17,5,1,27", "18,5,30,27"}) {
       render(
-          {"-o", "piece.exr", "--float", "--aov", "all", "--precision", precision, "--crop", crop});
+          {"-o", "piece.exr", "--float", "--aov", aovs, "--precision", precision, "--crop", crop});
       const auto piece = parts("piece.exr");
       ASSERT_EQ(piece.size(), whole.size());
       for (std::size_t p = 0; p < piece.size(); ++p) {
