@@ -39,8 +39,9 @@ class PacketWalk {
     if (nodes.empty() || !any(targets_.wanting())) return;
     const auto way = approach(tree_.frame(), query_.ray, targets_.start(), targets_.limit());
     if (const Mask lost = way.lost && targets_.wanting(); any(lost)) {
-      for (ShapeId id = 0; id < tree_.table().size(); ++id)
-        consider(id, lost && targets_.wanting());
+      for (ShapeId id = 0; id < tree_.table().size(); ++id) {
+        if (!tree_.table().twins().is_hidden(id)) consider(id, lost && targets_.wanting());
+      }
     }
     if (any(way.enters && targets_.wanting())) descend(nodes, way);
   }

@@ -8,6 +8,7 @@
 #include "render/accel/shape_hits.h"
 #include "render/accel/tree_build.h"
 #include "render/accel/tree_walk.h"
+#include "render/accel/twin_hits.h"
 
 namespace alhazen::render {
 namespace {
@@ -81,8 +82,9 @@ template <class Real>
 ShapeTree<Real>::ShapeTree(const ShapeTable<Real>& table, int threads) : table_(&table) {
   std::vector<Survey<Real>> surveys(table.size() / kShapesAtOnce + 1);
   for_runs(threads, table.size(), [&](std::size_t k, ShapeId first, ShapeId last) {
-    for (ShapeId id = first; id < last; ++id)
-      surveys[k].add(id, useful_bounds(table, id));
+    for (ShapeId id = first; id < last; ++id) {
+      if (!table.twins().is_hidden(id)) surveys[k].add(id, useful_bounds(table, id));
+    }
   });
   Survey<Real> all;
   std::vector<std::size_t> inside_before;
@@ -103,6 +105,7 @@ ShapeTree<Real>::ShapeTree(const ShapeTable<Real>& table, int threads) : table_(
   for_runs(threads, table.size(), [&](std::size_t k, ShapeId first, ShapeId last) {
     std::size_t place = inside_before[k];
     for (ShapeId id = first; id < last; ++id) {
+      if (table.twins().is_hidden(id)) continue;
       const auto bounds = useful_bounds(table, id);
       if (!bounds) continue;
       const Real by =
@@ -146,7 +149,7 @@ void ShapeTree<Real>::visit(const Ray<Real>& ray, const Source& source, Real fro
   const Approach<Real> way = approach(frame_, ray, from, to);
   if (way.lost) {
     for (ShapeId id = 0; id < table_->size(); ++id) {
-      if (!offer(id)) return;
+      if (!table_->twins().is_hidden(id) && !offer(id)) return;
     }
   }
   if (!way.enters) return;
@@ -154,14 +157,20 @@ void ShapeTree<Real>::visit(const Ray<Real>& ray, const Source& source, Real fro
        to, offer);
 }
 
+namespace {
+
+// Of shapes that stand in for others, and those without a twin.
 template <class Real>
-std::optional<Hit<Real>> closest_hit(const ShapeTree<Real>& tree, const Ray<Real>& ray,
-                                     const Source& source, Real t_max, ShapeId ignored) {
+std::optional<Hit<Real>> first_of(const ShapeTree<Real>& tree, const Ray<Real>& ray,
+                                  const Source& source, Real t_max, ShapeId ignored,
+                                  const Hit<Real>* previous) {
   std::optional<Hit<Real>> best;
   Real to = t_max;
-  tree.visit(ray, source, Real(0), to, ignored, [&](ShapeId id) {
+  const Real from = previous == nullptr ? Real(0) : previous->t;
+  tree.visit(ray, source, from, to, ignored, [&](ShapeId id) {
     return for_each_hit(tree.table(), ray, source, t_max, id, [&](const Hit<Real>& hit) {
-      if (!best || precedes(hit, *best)) {
+      const bool late = previous == nullptr || precedes(*previous, hit);
+      if (late && (!best || precedes(hit, *best))) {
         best = hit;
         to = hit.t;
       }
@@ -169,36 +178,41 @@ std::optional<Hit<Real>> closest_hit(const ShapeTree<Real>& tree, const Ray<Real
     });
   });
   return best;
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<Hit<Real>> closest_hit(const ShapeTree<Real>& tree, const Ray<Real>& ray,
+                                     const Source& source, Real t_max, ShapeId ignored) {
+  return closest_layer(tree.table(), ray, source, ignored,
+                       [&](const Source& from, ShapeId without) {
+                         return first_of<Real>(tree, ray, from, t_max, without, nullptr);
+                       });
 }
 
 template <class Real>
 std::optional<Hit<Real>> next_hit(const ShapeTree<Real>& tree, const Ray<Real>& ray,
                                   const Source& source, const Hit<Real>& previous, Real t_max,
                                   ShapeId ignored) {
-  std::optional<Hit<Real>> best;
-  Real to = t_max;
-  tree.visit(ray, source, previous.t, to, ignored, [&](ShapeId id) {
-    return for_each_hit(tree.table(), ray, source, t_max, id, [&](const Hit<Real>& hit) {
-      if (precedes(previous, hit) && (!best || precedes(hit, *best))) {
-        best = hit;
-        to = hit.t;
-      }
-      return true;
-    });
-  });
-  return best;
+  return next_layer(tree.table(), ray, source, previous, ignored,
+                    [&](const Source& from, const Hit<Real>* last, ShapeId without) {
+                      return first_of(tree, ray, from, t_max, without, last);
+                    });
 }
 
 template <class Real>
 bool any_hit(const ShapeTree<Real>& tree, const Ray<Real>& ray, const Source& source, Real t_max,
              ShapeId ignored) {
-  bool found = false;
-  tree.visit(ray, source, Real(0), t_max, ignored, [&](ShapeId id) {
-    found =
-        !for_each_hit(tree.table(), ray, source, t_max, id, [](const Hit<Real>&) { return false; });
-    return !found;
+  return any_layer(tree.table(), ray, source, ignored, [&](const Source& from, ShapeId without) {
+    bool found = false;
+    tree.visit(ray, from, Real(0), t_max, without, [&](ShapeId id) {
+      found =
+          !for_each_hit(tree.table(), ray, from, t_max, id, [](const Hit<Real>&) { return false; });
+      return !found;
+    });
+    return found;
   });
-  return found;
 }
 
 template class ShapeTree<float>;

@@ -29,6 +29,7 @@ class ShapeTree {
 
   // Calls consider(id) for every shape that the ray may meet with from <= t <= to, and for others,
   // until it returns false. `to` is read anew each time. The shape that the ray leaves comes first.
+  // Only shapes that no other stands in for are in the tree, and only such may be named.
   template <class Consider>
   void visit(const Ray<Real>& ray, const Source& source, Real from, const Real& to, ShapeId ignored,
              const Consider& consider) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/accel/packet_walk.h"
+#include "render/accel/twin_lanes.h"
 
 namespace alhazen::render {
 
@@ -12,9 +13,17 @@ template <class L, class SourceOf>
 inline HitLanes<L> closest_hits(const ShapeTree<ScalarOf<L>>& tree, const Ray<L>& ray,
                                 const DepartureLanes<L>& from, const SourceOf& source_of, L t_max,
                                 IntOf<L> ignored, MaskOf<L> active) {
-  FirstHits<L> targets(t_max, active, nullptr);
-  find(tree, LaneQuery<L, SourceOf>{tree.table(), ray, from, source_of, ignored}, targets);
-  return targets.found();
+  const auto search = [&](const DepartureLanes<L>& leaving, const auto& sources,
+                          const IntOf<L>& without, MaskOf<L> lanes) {
+    FirstHits<L> targets(t_max, lanes, nullptr);
+    using Query = LaneQuery<L, std::remove_cvref_t<decltype(sources)>>;
+    find(tree, Query{tree.table(), ray, leaving, sources, without}, targets);
+    return targets.found();
+  };
+  if (tree.table().twins().none()) return search(from, source_of, ignored, active);
+  const LayerQuery<L> query(tree.table(), ray, source_of, ignored, active);
+  const auto sources = [&query](int lane) { return query.source(lane); };
+  return query.all(search(query.from(), sources, query.ignored(), query.to_search()));
 }
 
 // After `previous`, which has found a hit in every active lane.
@@ -24,17 +33,34 @@ inline HitLanes<L> next_hits(const ShapeTree<ScalarOf<L>>& tree, const Ray<L>& r
                              const HitLanes<L>& previous, L t_max, IntOf<L> ignored,
                              MaskOf<L> active) {
   FirstHits<L> targets(t_max, active, &previous);
-  find(tree, LaneQuery<L, SourceOf>{tree.table(), ray, from, source_of, ignored}, targets);
-  return targets.found();
+  if (tree.table().twins().none()) {
+    find(tree, LaneQuery<L, SourceOf>{tree.table(), ray, from, source_of, ignored}, targets);
+    return targets.found();
+  }
+  HitLanes<L> hits = targets.found();
+  for_each_lane(active, [&](int i) {
+    const auto hit = next_hit(tree, one_ray(ray, i), source_of(i), previous[i], t_max[i],
+                              static_cast<ShapeId>(ignored[i]));
+    if (hit) hits.set(i, *hit);
+  });
+  return hits;
 }
 
 template <class L, class SourceOf>
 inline MaskOf<L> any_hits(const ShapeTree<ScalarOf<L>>& tree, const Ray<L>& ray,
                           const DepartureLanes<L>& from, const SourceOf& source_of, L t_max,
                           IntOf<L> ignored, MaskOf<L> active) {
-  AnyHits<L> targets(t_max, active);
-  find(tree, LaneQuery<L, SourceOf>{tree.table(), ray, from, source_of, ignored}, targets);
-  return targets.found();
+  const auto search = [&](const DepartureLanes<L>& leaving, const auto& sources,
+                          const IntOf<L>& without, MaskOf<L> lanes) {
+    AnyHits<L> targets(t_max, lanes);
+    using Query = LaneQuery<L, std::remove_cvref_t<decltype(sources)>>;
+    find(tree, Query{tree.table(), ray, leaving, sources, without}, targets);
+    return targets.found();
+  };
+  if (tree.table().twins().none()) return search(from, source_of, ignored, active);
+  const LayerQuery<L> query(tree.table(), ray, source_of, ignored, active);
+  const auto sources = [&query](int lane) { return query.source(lane); };
+  return query.at_start() || search(query.from(), sources, query.ignored(), query.to_search());
 }
 
 }  // namespace alhazen::render

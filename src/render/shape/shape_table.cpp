@@ -94,11 +94,15 @@ class ShapeTable<Real>::Builder {
 };
 
 template <class Real>
-ShapeTable<Real>::ShapeTable(const ShapeList& shapes, Vec3d world_origin)
+ShapeTable<Real>::ShapeTable(const ShapeList& shapes, Vec3d world_origin,
+                             const std::function<int(ShapeId)>& rank)
     : world_origin_(world_origin) {
   Builder builder(*this, world_origin);
   for (const Shape& shape : shapes)
     builder.add(shape);
+  twins_ = find_twins<Real>(
+      size(), [this](ShapeId id) { return landmarks(id); },
+      rank ? rank : [](ShapeId) { return 0; });
 }
 
 // In the frame that the shape's kernel lives in.
@@ -157,6 +161,17 @@ std::optional<ShapeBounds<Real>> ShapeTable<Real>::bounds(ShapeId id) const {
           return std::nullopt;
         }
       });
+}
+
+template <class Real>
+Landmarks<Real> ShapeTable<Real>::landmarks(ShapeId id) const {
+  const Entry& entry = entries_[id];
+  const auto place = entry.in_object_frame ? landmarks::Place<Real>(placements_[entry.placement])
+                                           : landmarks::Place<Real>();
+  Landmarks<Real> marks;
+  kernels_.visit(entry, [&](const auto& kernel) { landmarks::put(marks, kernel, place); });
+  marks.form = 8 * marks.form + static_cast<int>(entry.kind);
+  return marks;
 }
 
 template class ShapeTable<float>;

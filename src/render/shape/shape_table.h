@@ -16,6 +16,7 @@
 #include "render/shape/convert.h"
 #include "render/shape/doubt.h"
 #include "render/shape/kernel_arrays.h"
+#include "render/shape/twins.h"
 
 namespace alhazen::render {
 
@@ -46,12 +47,16 @@ inline SurfacePoint<Real> out_of_object(const Surface<Real>& own, const Placemen
 template <class Real>
 class ShapeTable {
  public:
-  // Shapes keep their order: a ShapeId here is one in the scene.
-  ShapeTable(const ShapeList& shapes, Vec3d world_origin);
+  // Shapes keep their order: a ShapeId here is one in the scene. Of those that are one surface, the
+  // one of the lowest rank(shape) is outermost; without ranks, the first.
+  ShapeTable(const ShapeList& shapes, Vec3d world_origin,
+             const std::function<int(ShapeId)>& rank = {});
 
   ShapeId size() const { return static_cast<ShapeId>(entries_.size()); }
   // What was subtracted: scene position = position + world_origin.
   Vec3<Real> world_origin() const { return world_origin_; }
+  // Those that are one surface with another. Every function here is of the shape itself.
+  const Twins& twins() const { return twins_; }
 
   // Rays, points and normals are in the moved world frame. L is Real, or lanes of it.
 
@@ -91,6 +96,7 @@ class ShapeTable {
   bool contains(ShapeId id, Vec3<Real> point) const;
   // Nothing for a plane, which has no bounds.
   std::optional<ShapeBounds<Real>> bounds(ShapeId id) const;
+  Landmarks<Real> landmarks(ShapeId id) const;
 
  private:
   class Builder;
@@ -116,6 +122,7 @@ class ShapeTable {
   std::vector<Placement<Real>> placements_;
   KernelArrays<Real> kernels_;
   Vec3<Real> world_origin_;
+  Twins twins_;
 };
 
 extern template class ShapeTable<float>;

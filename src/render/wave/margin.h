@@ -6,13 +6,16 @@
 
 namespace alhazen::render {
 
-// Calls `visit(shape, doubt)` for every shape but `ignored`.
+// Calls `visit(shape, doubt)` for every shape but `ignored`. Of surfaces that are one, the layer
+// that is met is no doubt: only the one that stands in for all is asked.
 template <class Real, class Visitor>
 void for_each_doubt(const World<Real>& world, const Ray<Real>& ray, const Source& source,
                     ShapeId ignored, const Visitor& visit) {
+  const Twins& twins = world.shapes.twins();
   for (ShapeId id = 0; id < world.shapes.size(); ++id) {
-    if (id == ignored) continue;
-    const Departure from = id == source.shape ? Departure{source.face, source.side} : Departure();
+    if (id == twins.stand_in(ignored) || twins.is_hidden(id)) continue;
+    const bool leaves = id == twins.stand_in(source.shape);
+    const Departure from = leaves ? Departure{source.face, source.side} : Departure();
     for (const Doubt<Real>& doubt : world.shapes.doubts(id, ray, from))
       visit(id, doubt);
   }
@@ -27,7 +30,8 @@ Real margin_of_hit(const World<Real>& world, const Ray<Real>& ray, const Source&
   const Real end = hit != nullptr ? hit->t : infinity<Real>();
   Real margin = 1;
   for_each_doubt(world, ray, source, kNoId, [&](ShapeId id, const Doubt<Real>& doubt) {
-    const bool is_the_hit = hit != nullptr && id == hit->shape && doubt.crosses && doubt.t == end;
+    const bool is_the_hit = hit != nullptr && id == world.shapes.twins().stand_in(hit->shape) &&
+                            doubt.crosses && doubt.t == end;
     Real own = doubt.margin;
     if (!is_the_hit) {
       const Real order = relative_gap(doubt.t, end);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "render/accel/shape_tree.h"
@@ -22,10 +23,11 @@ struct World {
   // The same for any number of threads.
   World(const Scene& scene, const std::vector<ImagePixels>& pictures, int threads = 1)
       : world_offset(scene.camera.frame.position),
-        shapes(scene.shapes, world_offset),
-        tree(shapes, threads),
         textures(scene.textures, views_of(pictures), world_offset),
         materials(scene, textures),
+        shapes(scene.shapes, world_offset,
+               [&](ShapeId id) { return depth_of_layer(scene.shapes[id]); }),
+        tree(shapes, threads),
         lights(scene.lights, world_offset),
         camera(scene.camera, scene.settings.width, scene.settings.height),
         background(scene.background, pictures),
@@ -80,10 +82,10 @@ struct World {
   }
 
   Vec3d world_offset;  // world = rebased + world_offset
-  ShapeTable<Real> shapes;
-  ShapeTree<Real> tree;  // of `shapes`
   TextureTable<Real> textures;
   MaterialTable<Real> materials;
+  ShapeTable<Real> shapes;
+  ShapeTree<Real> tree;  // of `shapes`
   Lights<Real> lights;
   CameraKernel<Real> camera;
   BackgroundRadiance<Real> background;
@@ -98,6 +100,16 @@ struct World {
   std::uint64_t seed;
 
  private:
+  // Of surfaces that are one: what is clear is outside of what is not, of clear solids the one of
+  // lower priority, and a lamp shines on what it lies on.
+  int depth_of_layer(const Shape& shape) const {
+    const MaterialRecord<Real>& material = materials[shape.material];
+    if (material.pov_clear || material.kind == SurfaceKind::glass) {
+      return materials.priorities()[shape.material];
+    }
+    constexpr int kInnermost = std::numeric_limits<int>::max();
+    return shape.light == kNoId ? kInnermost : kInnermost - 1;
+  }
   static std::vector<ImageView> views_of(const std::vector<ImagePixels>& pictures) {
     std::vector<ImageView> views;
     for (const ImagePixels& p : pictures)
