@@ -16,6 +16,7 @@
 #include "render/shape/convert.h"
 #include "render/shape/doubt.h"
 #include "render/shape/kernel_arrays.h"
+#include "render/shape/normal_map.h"
 #include "render/shape/twins.h"
 
 namespace alhazen::render {
@@ -39,7 +40,7 @@ template <class Real>
 inline SurfacePoint<Real> out_of_object(const Surface<Real>& own, const Placement<Real>& place) {
   Surface<Real> point = own;
   point.position = place.world_from_object.point(own.position);
-  point.normal = normalized(place.object_from_world.transposed(own.normal));
+  point.normal = normal_in_world(place.world_from_object, place.object_from_world, own.normal);
   point.shading_normal = point.normal;
   return {point, own.position};
 }
