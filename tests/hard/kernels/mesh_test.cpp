@@ -166,7 +166,9 @@ void needles() {
     const auto got = crossings(needle, ray, Departure());
     const auto truth = crossings(oracle, exact(ray), Departure());
     const render::ShearedRay<Quad> sheared(exact(ray));
-    const double largest = 5 + size;  // of the corners as seen from the origin
+    double largest = 0;  // of the corners as seen from the origin
+    for (const Vec3<Quad>& corner : oracle.corners)
+      largest = larger(largest, static_cast<double>(length(corner - exact(ray).origin)));
     if (got.size() != truth.size()) {
       from_outline =
           larger(from_outline, distance_from_outline(sheared, oracle) / (kEps<Real> * largest));
@@ -188,7 +190,7 @@ void needles() {
   // A corner is rounded when it is seen from the origin, when it is sheared and by the shear: by 3
   // eps of its size in each of two coordinates.
   figure_in<Real>("A13", "distance from the outline of needles wrongly met or missed", from_outline,
-                  6, "eps of the size");
+                  6, "eps of the largest corner");
   // Three weights whose sum is 1 to 3 eps, a sum of three products and one more.
   figure_in<Real>("A13", "t beyond those of the corners", out_of_range, 8, "eps");
 }

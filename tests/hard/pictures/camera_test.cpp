@@ -140,6 +140,7 @@ TEST(Hard, E3_MirrorImages) {
 }
 
 // Crops whose tiles lie across those of the whole picture; resuming is rendering another crop.
+// What was interrupted is gone on with by crops of what is missing; the program has no other way.
 TEST(Hard, E4_CropsAreThePicture) {
   for (const Precision p : kScalars) {
     SceneBuilder b = lopsided(1);
@@ -166,6 +167,14 @@ TEST(Hard, E4_CropsAreThePicture) {
       }
     }
     figure("E4", name_of(p), "values of crops unlike those of the whole picture", different, 0);
+    int unlike = 0;
+    for (const int tile_size : {1, 3, 16, 100}) {
+      render::RenderOptions options;
+      options.precision = p;
+      options.limits.tile_size = tile_size;
+      unlike += rendered(b.scene, options).picture.rgb != whole;
+    }
+    figure("E4", name_of(p), "tile sizes that give another picture", unlike, 0);
   }
 }
 
