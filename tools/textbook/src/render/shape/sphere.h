@@ -73,7 +73,7 @@ inline Surface<Real> surface(const Sphere<Real>& sphere, const Ray<Real>& ray,
   const Vec3<Real> position = multiply_add(sphere.radius, n, sphere.center);
   if constexpr (!with_coordinates) return {position, n, n};
   const Real around = square_root(fused_multiply_add(n.x, n.x, n.z * n.z));
-  return {position, n, n, turn_of(n.x, n.z), 2 * arc_turns(around, -n.y)};
+  return {position, n, n, turn_of(n.x, n.z), 2 * atan2_turns(around, -n.y)};
 }
 
 template <class Real>

@@ -1,0 +1,144 @@
+// render/accel, as textbooks have it: lanes of rays leave no shape in particular, and a hit counts
+// when it is farther than a fixed distance. For tools/textbook-cost.
+#pragma once
+
+#include "render/accel/hit_lanes.h"
+#include "render/accel/shape_hits.h"
+
+namespace alhazen::render {
+
+// Of any departure, that it is from nowhere.
+template <class L>
+struct NoDeparture {
+  IntOf<L> shape{-1}, face{kNoFace}, side{static_cast<int>(Side::kByDirection)};
+  NoDeparture(const DepartureLanes<L>& /*from*/) {}
+};
+
+// The rays as they were asked about. source_of(lane) gives the Source of a lane.
+template <class L, class SourceOf>
+struct LaneQuery {
+  const ShapeTable<ScalarOf<L>>& table;
+  const Ray<L>& ray;
+  NoDeparture<L> from;
+  const SourceOf& source_of;
+  IntOf<L> ignored;
+
+  MaskOf<L> ahead(const IntOf<L>& /*shape*/, const Crossing<L>& crossing, MaskOf<L> exists) const {
+    return exists && crossing.t > L(1e-6);
+  }
+};
+
+// The first hit in the order of precedes(), after the one that `previous` has found, if it is
+// asked for.
+template <class L>
+class FirstHits {
+ public:
+  FirstHits(L t_max, MaskOf<L> active, const HitLanes<L>* previous)
+      : limit_(t_max), active_(active), previous_(previous) {
+    best_.found = false;
+    best_.shape = IntOf<L>(-1);
+    best_.face = IntOf<L>(kNoFace);
+    best_.enters = false;
+  }
+
+  const HitLanes<L>& found() const { return best_; }
+  MaskOf<L> wanting() const { return active_; }
+  const L& limit() const { return limit_; }  // hits beyond it do not matter
+  L start() const { return previous_ == nullptr ? L(0) : previous_->t; }
+
+  // Whether a lane would take a crossing at t, but for those of one t.
+  MaskOf<L> may_take(const L& t) const {
+    const MaskOf<L> wanted = active_ && t <= limit_;
+    return previous_ == nullptr ? wanted : wanted && t >= previous_->t;
+  }
+  void take(const HitLanes<L>& hit) {
+    MaskOf<L> better = hit.found && hit.t <= limit_;
+    if (previous_ != nullptr) {
+      const MaskOf<L> tie = better && hit.t == previous_->t;
+      if (any(tie)) better = better && (!tie || precedes_at_one_place(*previous_, hit));
+    }
+    const MaskOf<L> tie = better && best_.found && hit.t == best_.t;
+    if (any(tie)) better = better && (!tie || precedes_at_one_place(hit, best_));
+    limit_ = select(better, hit.t, limit_);
+    best_.t = select(better, hit.t, best_.t);
+    best_.shape = select(better, hit.shape, best_.shape);
+    best_.face = select(better, hit.face, best_.face);
+    best_.enters = (better && hit.enters) || (!better && best_.enters);
+    best_.found = best_.found || better;
+  }
+
+  // One lane on its own: takes single hits until it is done.
+  class One {
+   public:
+    using Real = ScalarOf<L>;
+    One(FirstHits& all, int lane) : all_(all), lane_(lane), limit_(all.limit_[lane]) {
+      if (all.best_.found[lane]) best_ = all.best_[lane];
+    }
+    ~One() {
+      if (!changed_) return;
+      all_.best_.set(lane_, *best_);
+      all_.limit_.set(lane_, limit_);
+    }
+    One(const One&) = delete;
+    One& operator=(const One&) = delete;
+    const Real& limit() const { return limit_; }
+    bool take(const Hit<Real>& hit) {
+      const bool late = all_.previous_ == nullptr || precedes((*all_.previous_)[lane_], hit);
+      if (late && (!best_ || precedes(hit, *best_))) {
+        best_ = hit;
+        limit_ = hit.t;
+        changed_ = true;
+      }
+      return true;
+    }
+
+   private:
+    FirstHits& all_;
+    int lane_;
+    Real limit_;
+    std::optional<Hit<Real>> best_;
+    bool changed_ = false;
+  };
+
+ private:
+  L limit_;
+  MaskOf<L> active_;
+  const HitLanes<L>* previous_;
+  HitLanes<L> best_;
+};
+
+// Any hit.
+template <class L>
+class AnyHits {
+ public:
+  AnyHits(L t_max, MaskOf<L> active) : limit_(t_max), active_(active) {}
+
+  MaskOf<L> found() const { return found_; }
+  MaskOf<L> wanting() const { return active_ && !found_; }
+  const L& limit() const { return limit_; }
+  L start() const { return L(0); }
+  MaskOf<L> may_take(const L& t) const { return wanting() && t <= limit_; }
+  void take(const HitLanes<L>& hit) { found_ = found_ || hit.found; }
+
+  class One {
+   public:
+    using Real = ScalarOf<L>;
+    One(AnyHits& all, int lane) : all_(all), lane_(lane), limit_(all.limit_[lane]) {}
+    const Real& limit() const { return limit_; }
+    bool take(const Hit<Real>&) {
+      all_.found_ = all_.found_ || MaskOf<L>::from_bits(std::uint32_t{1} << lane_);
+      return false;
+    }
+
+   private:
+    AnyHits& all_;
+    int lane_;
+    Real limit_;
+  };
+
+ private:
+  L limit_;
+  MaskOf<L> active_, found_ = false;
+};
+
+}  // namespace alhazen::render
