@@ -13,7 +13,7 @@ constexpr std::string_view kPolicy =
 
 }  // namespace
 
-std::string html_page(std::string_view title, const Html& body) {
+std::string html_page(std::string_view title, const Html& body, const PageExtras& extras) {
   const std::string name = html_text(title).code;
   return fmt::format(
       "<!DOCTYPE html>\n"
@@ -24,14 +24,14 @@ std::string html_page(std::string_view title, const Html& body) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<title>{}</title>\n"
-      "<style>\n{}</style>\n"
+      "<style>\n{}{}</style>\n"
       "</head>\n"
       "<body>\n"
       "<main>\n<h1>{}</h1>\n{}</main>\n"
-      "<script>\n{}</script>\n"
+      "<script>\n{}{}</script>\n"
       "</body>\n"
       "</html>\n",
-      kPolicy, name, kPageStyle, name, body.code, kPageScript);
+      kPolicy, name, kPageStyle, extras.style, name, body.code, kPageScript, extras.script);
 }
 
 }  // namespace alhazen

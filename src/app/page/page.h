@@ -7,9 +7,14 @@
 
 namespace alhazen {
 
+// What a page has beside the style sheet and the script of every page.
+struct PageExtras {
+  std::string_view style, script;
+};
+
 // A whole HTML document, UTF-8. `title` is plain text: the name of the window and the heading.
 // `body` follows the heading. Light or dark as the reader's system is, readable on a phone; without
 // JavaScript only the large view of html_pictures is missing.
-std::string html_page(std::string_view title, const Html& body);
+std::string html_page(std::string_view title, const Html& body, const PageExtras& extras = {});
 
 }  // namespace alhazen
