@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "app/povray/cutoff.h"
+#include "app/povray/povray_picture.h"
 #include "core/base/file.h"
 #include "core/scene/effect.h"
-#include "render/image/exr_read.h"
 #include "render/image/exr_write.h"
 
 namespace alhazen {
@@ -35,27 +35,6 @@ std::vector<std::uint32_t> objects_of(const render::Picture& picture) {
   for (const std::vector<render::Coverage>& seen : picture.objects)
     objects.push_back(seen.empty() ? kNoId : seen.front().id);
   return objects;
-}
-
-// The R, G and B of POV-Ray's picture, which has one part and no other channels.
-Result<render::FloatBuffer> read_picture(const fs::path& path, int width, int height) {
-  const auto parts = render::read_exr(path);
-  if (!parts) return parts.error();
-  const render::FloatBuffer& pixels = parts.value().front().pixels;
-  if (pixels.width() != width || pixels.height() != height) {
-    return Error{ErrorCode::io, fmt::format("POV-Ray's picture has {} x {} pixels, not {} x {}",
-                                            pixels.width(), pixels.height(), width, height)};
-  }
-  render::FloatBuffer out(width, height, {"R", "G", "B"});
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto channel = pixels.find(out.names()[c]);
-    if (!channel) {
-      return Error{ErrorCode::io,
-                   fmt::format("POV-Ray's picture has no channel {}", out.names()[c])};
-    }
-    std::ranges::copy(pixels.channel(*channel), out.channel(c).begin());
-  }
-  return out;
 }
 
 class CrossChecking {
@@ -132,7 +111,7 @@ class CrossChecking {
     const fs::path picture = folder_ / (checked_.name + suffix);
     auto ran = run_povray(scene, picture, run_);
     if (!ran) return ran.error();
-    auto theirs = read_picture(picture, run_.width, run_.height);
+    auto theirs = read_povray_picture(picture, run_.width, run_.height);
     if (!theirs) return theirs.error();
     Witness witness{name, text, std::move(theirs).value(), std::move(ran).value(), {}};
     witness.verdict = judge(result_.ours, witness.picture, objects_,

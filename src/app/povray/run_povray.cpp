@@ -86,13 +86,25 @@ std::string end_of(const std::string& log) {
   return out;
 }
 
-// Of the last line like "  Trace Time:  0 hours  0 minutes  1 seconds (1.234 seconds)"; 0 if none.
-double trace_seconds(const std::string& log) {
-  const std::size_t line = log.rfind("Trace Time:");
-  const std::size_t bracket = line == std::string::npos ? line : log.find_first_of("(\n", line);
-  if (bracket == std::string::npos || log[bracket] != '(') return 0;
-  const double seconds = std::strtod(log.c_str() + bracket + 1, nullptr);
+struct TraceTime {
+  double elapsed = 0, cpu = 0;
+};
+
+// The number that stands after `mark`, which has to come before the next `stop`; 0 if none.
+double seconds_after(const std::string& log, std::size_t begin, std::string_view mark,
+                     std::string_view stop) {
+  const std::size_t at = begin == std::string::npos ? begin : log.find(mark, begin);
+  if (at == std::string::npos || at > log.find(stop, begin)) return 0;
+  const double seconds = std::strtod(log.c_str() + at + mark.size(), nullptr);
   return seconds >= 0 && seconds < 1e9 ? seconds : 0;
+}
+
+// Of the last lines like
+//   Trace Time:       0 hours  0 minutes  1 seconds (1.234 seconds)
+//               using 2 thread(s) with 2.345 CPU-seconds total
+TraceTime trace_time(const std::string& log) {
+  const std::size_t line = log.rfind("Trace Time:");
+  return {seconds_after(log, line, "(", "\n"), seconds_after(log, line, "with ", "CPU-seconds")};
 }
 
 Error refusal(const fs::path& scene, const ChildEnd& ended, const std::string& log) {
@@ -137,7 +149,8 @@ Result<PovRun> run_povray(const fs::path& scene, const fs::path& picture,
   }
   const Status kept = copy_file(place.picture, picture, kMaxPictureBytes);
   if (!kept) return kept.error();
-  return PovRun{end.wall_seconds, end.cpu_seconds, trace_seconds(log.value()), log.value()};
+  const TraceTime traced = trace_time(log.value());
+  return PovRun{end.wall_seconds, end.cpu_seconds, traced.elapsed, traced.cpu, log.value()};
 }
 
 }  // namespace alhazen

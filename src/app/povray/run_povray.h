@@ -22,6 +22,7 @@ struct PovRunOptions {
 struct PovRun {
   double wall_seconds = 0, cpu_seconds = 0;  // of the whole process
   double trace_seconds = 0;                  // of tracing alone, as it says itself
+  double trace_cpu_seconds = 0;              // the same of all its threads
   std::string log;                           // all it wrote
 };
 
