@@ -15,6 +15,7 @@ constexpr Verb kVerbs[] = {
     {"import", "write the scene of another program as a .scn text", run_import},
     {"export-pov", "write the equivalent scene for POV-Ray 3.7", run_export_pov},
     {"cross-check", "render scenes here and with POV-Ray, and compare", run_cross_check},
+    {"study", "show what accuracy costs in time, scene by scene", run_study},
     {"help", "say what a verb does and which options it has", run_help},
     {"version", "print the versions of the program and its libraries", run_version},
 };

@@ -21,6 +21,7 @@ ExitCode run_compare(const Arguments& arguments);
 ExitCode run_import(const Arguments& arguments);
 ExitCode run_export_pov(const Arguments& arguments);
 ExitCode run_cross_check(const Arguments& arguments);
+ExitCode run_study(const Arguments& arguments);
 ExitCode run_help(const Arguments& arguments);
 ExitCode run_version(const Arguments& arguments);
 
