@@ -119,9 +119,10 @@ std::string truncation_sentence(const SceneStudy& study) {
 std::string rounding_sentence(const SceneStudy& study) {
   if (!study.rounding) return "";
   const std::vector<RoundingPoint>& points = study.rounding->points;
-  std::string text =
-      fmt::format("Rounding is off by {} in float and by {} in double",
-                  print_number(points[0].errors.rmse), print_number(points[1].errors.rmse));
+  const double in_double = points[1].errors.rmse;
+  std::string text = fmt::format(
+      "Rounding is off by {} in float and {} in double", print_number(points[0].errors.rmse),
+      in_double > 0 ? "by " + print_number(in_double) : std::string("not at all"));
   if (const auto gain = study.rounding->gain()) {
     text += fmt::format(", {} times less", print_number(*gain));
   }

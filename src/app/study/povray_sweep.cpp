@@ -1,7 +1,6 @@
 #include "app/study/povray_sweep.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -31,6 +30,13 @@ RgbPicture rgb_of(const render::FloatBuffer& buffer) {
   }
   return picture;
 }
+
+// Each run begins with a pause, whatever there is to render.
+constexpr double kStartSeconds = 0.5;
+
+constexpr int kLensSamples = 256, kGridLevel = 3;  // of the first picture that could be a reference
+constexpr int kFinestLevel = 3;
+constexpr double kLevelCost = 4;
 
 PovraySetting lens(int samples) {
   return {Knob::povray_lens, fmt::format("{}", samples), {}, samples};
@@ -76,11 +82,6 @@ class PovraySweeping {
   }
 
  private:
-  double elapsed() const {
-    const std::chrono::duration<double> d = std::chrono::steady_clock::now() - start_;
-    return d.count();
-  }
-
   // Lens samples are a matter of the text, all else of the command line.
   Result<Traced> trace(const PovraySetting& setting) {
     Scene scene = input_.scene;
@@ -106,39 +107,57 @@ class PovraySweeping {
     run.cancel = options_.cancel;
     auto ran = run_povray(text, picture, run);
     if (!ran) return ran.error();
+    sweep_.seconds += kStartSeconds + ran.value().cpu_seconds / options_.threads;
     const auto read = read_povray_picture(picture, run.width, run.height);
     if (!read) return read.error();
     return Traced{rgb_of(read.value()), std::move(ran).value()};
   }
 
-  // The finer of two pictures, and what they say of its error. Ours serves where both programs say
-  // the same; otherwise POV-Ray is measured against itself.
+  // Ours serves where both programs say the same; otherwise POV-Ray is measured against itself.
   Status make_reference() {
-    const PovraySetting coarse = has_lens_ ? lens(1024) : method(2, 0, 4);
-    const PovraySetting fine = has_lens_ ? lens(2048) : method(2, 0, 5);
-    const auto first = trace(coarse);
+    const auto first = trace(finest(0));
     if (!first) return first.error();
     PovrayStudy& study = sweep_.study;
     study.deviations = deviation_texts(deviations_, input_.sources);
     study.own_reference = std::ranges::any_of(deviations_, is_other_picture);
-    if (!study.own_reference) {
-      reference_ = converged_.picture;
-      study.floor = converged_.floor();
-      study.from_ours = rmse_of(first.value().picture, reference_);
-      study.reference = "the same converged picture";
-      return Unit{};
+    if (study.own_reference) return refine(first.value());
+    reference_ = converged_.picture;
+    study.floor = converged_.floor();
+    study.from_ours = rmse_of(first.value().picture, reference_);
+    study.reference = "the same converged picture";
+    return Unit{};
+  }
+
+  // The finest picture that half of the time suffices for, and what the one before says of it.
+  Status refine(const Traced& first) {
+    Traced before = first;
+    double difference = 0;
+    int level = 0;
+    while (level < kFinestLevel &&
+           (level == 0 || kLevelCost * before.run.cpu_seconds / options_.threads < seconds_ / 2)) {
+      listen_("POV-Ray's converged picture", sweep_.seconds / seconds_);
+      auto finer = trace(finest(++level));
+      if (!finer) return finer.error();
+      difference = rmse_of(finer.value().picture, before.picture);
+      before = std::move(finer).value();
     }
-    const auto second = trace(fine);
-    if (!second) return second.error();
-    reference_ = second.value().picture;
-    const double difference = rmse_of(reference_, first.value().picture);
+    reference_ = before.picture;
+    PovrayStudy& study = sweep_.study;
     const double own =
         has_lens_ ? error_of_more_samples(difference) : error_of_finer_grid(difference);
     study.floor = kReferenceMargin * own;
     study.from_ours = rmse_of(reference_, converged_.picture);
-    study.reference = has_lens_ ? "its own picture with 2048 samples of the lens"
-                                : "its own picture with 32 \u00d7 32 samples in every pixel";
+    study.reference =
+        has_lens_
+            ? fmt::format("its own picture with {} samples of the lens", kLensSamples << level)
+            : fmt::format("its own picture with {0} \u00d7 {0} samples in every pixel",
+                          1 << (kGridLevel + level));
     return Unit{};
+  }
+
+  // Twice as many samples, or as many on a side, with each level.
+  PovraySetting finest(int level) const {
+    return has_lens_ ? lens(kLensSamples << level) : method(2, 0, kGridLevel + level);
   }
 
   Status sweep() {
@@ -147,9 +166,9 @@ class PovraySweeping {
     for (int round = 0; round < options_.runs; ++round) {
       for (std::size_t i = 0; i < settings.size(); ++i) {
         if (round > 0 && cpu[i].empty()) continue;
-        if (elapsed() > seconds_ && (round > 0 || i > 1)) continue;
+        if (sweep_.seconds > seconds_ && (round > 0 || i > 1)) continue;
         listen_(fmt::format("{} {}", info(settings[i].knob).title, settings[i].label),
-                elapsed() / seconds_);
+                sweep_.seconds / seconds_);
         const auto traced = trace(settings[i]);
         if (!traced) return traced.error();
         cpu[i].push_back(traced.value().run.trace_cpu_seconds);
@@ -188,7 +207,6 @@ class PovraySweeping {
   std::vector<Deviation> deviations_;
   RgbPicture reference_;
   PovraySweep sweep_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace

@@ -26,6 +26,7 @@ double error_of_more_samples(double difference);
 struct PovraySweep {
   PovrayStudy study;
   std::vector<StudyPoint> points;
+  double seconds = 0;  // that it took, as StudyOptions counts them
 };
 
 // `input.scene` with the settings that both programs render with; `converged` is our picture of

@@ -55,7 +55,7 @@ std::string equal_text(const SceneStudy& study) {
 }  // namespace
 
 std::string study_table(const SceneStudy& study) {
-  std::string text = fmt::format("{}: {}\n", study.name, size_text(study));
+  std::string text = wrapped(fmt::format("{}: {}", study.name, size_text(study)), "", "  ");
   for (const std::string& sentence : conclusions(study))
     text += wrapped(sentence, "  ", "  ");
   text += fmt::format("\n   {:<40} {:>9} {:>9} {:>9} {:>12} {:>8}\n",

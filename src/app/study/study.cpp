@@ -1,7 +1,6 @@
 #include "app/study/study.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -47,9 +46,12 @@ class SceneStudying {
   }
 
  private:
+  // Time is counted as a machine that does nothing else would take it.
   double elapsed() const {
-    const std::chrono::duration<double> d = std::chrono::steady_clock::now() - start_;
-    return d.count();
+    return (process_cpu_seconds() - started_) / options_.threads + povray_seconds_;
+  }
+  double seconds_of(const TimedRender& render) const {
+    return render.cpu_seconds / options_.threads;
   }
   void say(const std::string& step) const {
     if (listen_) listen_(step, std::min(0.999, elapsed() / std::max(expected_, elapsed())));
@@ -90,9 +92,9 @@ class SceneStudying {
     const render::RenderStatistics& s = more.value().statistics;
     study_.isa = s.isa;
     cost_.seconds_a_sample =
-        std::max(1e-6, (more.value().wall_seconds - few.value().wall_seconds) / steps);
+        std::max(1e-6, (seconds_of(more.value()) - seconds_of(few.value())) / steps);
     cost_.fixed_seconds =
-        std::max(0.0, few.value().wall_seconds - kPilotSamples / 2 * cost_.seconds_a_sample);
+        std::max(0.0, seconds_of(few.value()) - kPilotSamples / 2 * cost_.seconds_a_sample);
     cost_.scene_light_samples = most_light_samples(input_.scene);
     if (effects_.has(Effect::soft_shadows)) {
       cost_.shadow_share = static_cast<double>(s.shadow_rays) / static_cast<double>(s.rays());
@@ -112,7 +114,7 @@ class SceneStudying {
     const auto render_rung = [this](const TruncationRung& rung) -> Result<RungPicture> {
       const auto made = timed_render(run_, at_rung(fixed(kPilotSamples), rung));
       if (!made) return made.error();
-      return RungPicture{made.value().picture, made.value().wall_seconds};
+      return RungPicture{made.value().picture, seconds_of(made.value())};
     };
     auto found = climb(first, limits, render_rung);
     if (!found) return found.error();
@@ -250,12 +252,16 @@ class SceneStudying {
 
   Status ask_povray() {
     if (!options_.with_povray) return Unit{};
-    const double begun = elapsed(), seconds = options_.seconds * shares_.povray;
-    expected_ = begun + seconds;
-    const auto listen = [this](const std::string& step, double) { say(step); };
+    const double seconds = options_.seconds * shares_.povray;
+    expected_ = elapsed() + seconds;
+    const auto listen = [this, seconds](const std::string& step, double share) {
+      povray_seconds_ = share * seconds;
+      say(step);
+    };
     auto swept =
         sweep_povray(input_, options_, references_.at(FilterKind::box), window_, seconds, listen);
     if (!swept) return swept.error();
+    povray_seconds_ = swept.value().seconds;
     study_.povray = std::move(swept.value().study);
     for (StudyPoint& point : swept.value().points)
       study_.points.push_back(std::move(point));
@@ -276,7 +282,8 @@ class SceneStudying {
   ThumbnailWindow window_;
   SceneStudy study_;
   double expected_ = 0;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double povray_seconds_ = 0;
+  double started_ = process_cpu_seconds();
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ struct StudyInput {
 };
 
 struct StudyOptions {
-  double seconds = 120;  // for the scene, about
+  double seconds = 120;  // for the scene, about, on a machine that does nothing else
   int threads = 1;
   std::optional<render::Isa> isa;
   int runs = 3;  // of each setting, in turn

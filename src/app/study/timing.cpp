@@ -5,15 +5,12 @@
 #include <ctime>
 
 namespace alhazen {
-namespace {
 
 double process_cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
-
-}  // namespace
 
 Spread spread_of(std::vector<double> values) {
   std::ranges::sort(values);

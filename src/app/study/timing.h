@@ -21,6 +21,9 @@ struct Spread {
 // The middle value, or the mean of the middle two. Precondition: there is one.
 Spread spread_of(std::vector<double> values);
 
+// Of this process so far, all threads together.
+double process_cpu_seconds();
+
 // What renderings have in common.
 struct RenderRun {
   const Scene& scene;

@@ -91,7 +91,7 @@ TEST(Conclusions, RoundingTellsTheGain) {
   EXPECT_THAT(conclusions(study), Contains(HasSubstr("times less")));
   study.rounding->points[1].errors.rmse = 0;
   EXPECT_FALSE(study.rounding->gain());
-  EXPECT_THAT(conclusions(study), Contains(HasSubstr("in double not at all")));
+  EXPECT_THAT(conclusions(study), Contains(HasSubstr("and not at all in double")));
 }
 
 TEST(Conclusions, AreSentences) {

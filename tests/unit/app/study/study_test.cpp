@@ -12,9 +12,9 @@ namespace alhazen {
 namespace {
 
 using alhazen::testing::SceneBuilder;
-using testing::Contains;
-using testing::Field;
-using testing::HasSubstr;
+using ::testing::Contains;
+using ::testing::Field;
+using ::testing::HasSubstr;
 
 SceneBuilder ball_and_mirror() {
   SceneBuilder builder;
@@ -39,7 +39,7 @@ Result<SceneStudy> study_of(const Scene& scene, const StudyOptions& options) {
 TEST(StudyScene, GoesFromASceneToFiguresOfEveryKind) {
   const SceneBuilder builder = ball_and_mirror();
   StudyOptions options;
-  options.seconds = 2;
+  options.seconds = 0.5;
   options.runs = 2;
   const auto study = study_of(builder.scene, options);
   ASSERT_TRUE(study) << study.error().message;
@@ -67,7 +67,7 @@ TEST(StudyScene, GoesFromASceneToFiguresOfEveryKind) {
 TEST(StudyScene, DeeperPathsLeaveLessOut) {
   const SceneBuilder builder = ball_and_mirror();
   StudyOptions options;
-  options.seconds = 2;
+  options.seconds = 0.5;
   options.runs = 1;
   const auto study = study_of(builder.scene, options);
   ASSERT_TRUE(study);

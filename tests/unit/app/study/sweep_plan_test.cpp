@@ -11,8 +11,8 @@ namespace alhazen {
 namespace {
 
 using alhazen::testing::SceneBuilder;
-using testing::Contains;
-using testing::Field;
+using ::testing::Contains;
+using ::testing::Field;
 
 SceneBuilder matte_scene() {
   SceneBuilder builder;
@@ -58,7 +58,7 @@ TEST(SweepPlan, EachEffectCallsForItsKnobs) {
 TEST(SweepPlan, MirrorThatNothingWearsCallsForNothing) {
   SceneBuilder builder = matte_scene();
   builder.mirror(0.9);
-  EXPECT_THAT(knobs_of(plan_of(builder)), testing::Not(Contains(Knob::depth)));
+  EXPECT_THAT(knobs_of(plan_of(builder)), ::testing::Not(Contains(Knob::depth)));
 }
 
 TEST(SweepPlan, OneKnobIsTurnedAtATime) {

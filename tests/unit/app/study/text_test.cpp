@@ -19,7 +19,7 @@ TEST(NumberText, ThreeDigitsOrAnExponent) {
 
 TEST(NumberText, PrintHasRaisedExponents) {
   EXPECT_EQ(print_number(0.0123456), "0.0123");
-  EXPECT_EQ(print_number(1.25e-16), "1.2\u00a0\u00d7\u00a010\u207b\u00b9\u2076");
+  EXPECT_EQ(print_number(1.2e-16), "1.2\u00a0\u00d7\u00a010\u207b\u00b9\u2076");
   EXPECT_EQ(print_number(3.7e9), "3.7\u00a0\u00d7\u00a010\u2079");
 }
 
