@@ -81,19 +81,58 @@ render::FloatBuffer beauty_buffer(const render::Picture& picture) {
   return buffer;
 }
 
+using CoveragePlane = std::vector<std::vector<render::Coverage>>;
+
+// Ids in ascending order, and a name for each.
+struct NamedIds {
+  std::vector<std::uint32_t> ids;
+  std::vector<std::string> names;
+};
+
+// Of all shapes; where there are instances, whose shapes may be thousands of millions, of those
+// that the picture shows.
+NamedIds names_of(const SceneShapes& shapes, const CoveragePlane& pixels) {
+  NamedIds named;
+  if (shapes.instance_count() == 0) {
+    for (ShapeId id = 0; id < shapes.size(); ++id)
+      named.ids.push_back(id);
+  } else {
+    for (const auto& pixel : pixels) {
+      for (const render::Coverage& coverage : pixel)
+        named.ids.push_back(coverage.id);
+    }
+    std::ranges::sort(named.ids);
+    named.ids.erase(std::unique(named.ids.begin(), named.ids.end()), named.ids.end());
+  }
+  for (const ShapeId id : named.ids)
+    named.names.push_back(shapes.name(id));
+  return named;
+}
+
+NamedIds names_of(const std::vector<Material>& materials) {
+  NamedIds named;
+  for (const Material& material : materials) {
+    named.ids.push_back(static_cast<std::uint32_t>(named.ids.size()));
+    named.names.push_back(material.name.empty() ? fmt::format("material {}", named.ids.size())
+                                                : material.name);
+  }
+  return named;
+}
+
 // Objects that share a name are one object to whoever composites.
-render::CryptomatteLayer cryptomatte(std::string layer_name, const std::vector<std::string>& names,
-                                     const std::vector<std::vector<render::Coverage>>& pixels,
-                                     const render::PixelRect& window) {
+render::CryptomatteLayer cryptomatte(std::string layer_name, const NamedIds& named,
+                                     const CoveragePlane& pixels, const render::PixelRect& window) {
   std::vector<std::uint32_t> hashes;
-  for (const std::string& name : names)
+  for (const std::string& name : named.names)
     hashes.push_back(render::cryptomatte_hash(name));
   render::CryptomatteLayer layer(std::move(layer_name), window.width, window.height,
-                                 kCryptomatteRanks, names);
+                                 kCryptomatteRanks, named.names);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     std::map<std::uint32_t, float> shares;
-    for (const render::Coverage& coverage : pixels[i])
-      shares[hashes[coverage.id]] += coverage.share;
+    for (const render::Coverage& coverage : pixels[i]) {
+      const auto place = std::ranges::lower_bound(named.ids, coverage.id) - named.ids.begin();
+      shares[hashes[static_cast<std::size_t>(place)]] += coverage.share;
+    }
     std::vector<render::IdCoverage> ids;
     for (const auto& [hash, share] : shares)
       ids.push_back({hash, share});
@@ -101,22 +140,6 @@ render::CryptomatteLayer cryptomatte(std::string layer_name, const std::vector<s
     layer.set_pixel(pixel % window.width, pixel / window.width, std::move(ids));
   }
   return layer;
-}
-
-std::vector<std::string> names_of(const ShapeList& shapes) {
-  std::vector<std::string> names;
-  for (ShapeId id = 0; id < shapes.size(); ++id)
-    names.push_back(shapes.name(id));
-  return names;
-}
-
-std::vector<std::string> names_of(const std::vector<Material>& materials) {
-  std::vector<std::string> names;
-  for (const Material& material : materials) {
-    names.push_back(material.name.empty() ? fmt::format("material {}", names.size() + 1)
-                                          : material.name);
-  }
-  return names;
 }
 
 // The files take matrices for column vectors.
@@ -148,8 +171,8 @@ render::ExrFile exr_file(const Scene& scene, const render::Picture& picture,
                                                              : render::SampleType::float32;
   file.data = data_buffer(picture);
   if (!picture.objects.empty()) {
-    file.cryptomattes.push_back(
-        cryptomatte("CryptoObject", names_of(scene.shapes), picture.objects, window));
+    file.cryptomattes.push_back(cryptomatte("CryptoObject", names_of(scene.shapes, picture.objects),
+                                            picture.objects, window));
   }
   if (!picture.materials.empty()) {
     file.cryptomattes.push_back(

@@ -1,5 +1,8 @@
 // app/povray: shapes, each with a line that says where it comes from. Materials that look the same
 // on every shape are declared once.
+#include <map>
+#include <utility>
+
 #include "app/povray/exporter.h"
 #include "core/base/overloaded.h"
 
@@ -78,33 +81,95 @@ class ShapesExport {
 
   void declare_materials() {
     std::vector<bool> seen(exporter_.scene.materials.size());
-    for (const Shape& shape : shapes()) {
+    shapes().for_each_different([&](const Shape& shape, ShapeId) {
       const Material& material = exporter_.scene.materials[shape.material];
-      if (seen[shape.material] || !is_shareable(exporter_, material)) continue;
+      if (seen[shape.material] || !is_shareable(exporter_, material)) return;
       seen[shape.material] = true;
       out().comment(origin_of(exporter_, material.span,
                               material.name.empty() ? "material" : "material " + material.name));
       out().open("#declare " + name_of(shape.material) + " = material");
       export_material(exporter_, material, {Affined{}, Affined{}, &shape});
       out().close();
-    }
+    });
     out().blank();
   }
 
+  // Instances of one prototype and one material are places of one declared object.
   void write_shapes() {
-    for (std::size_t i = 0; i < shapes().size();) {
-      std::size_t end = i + 1;
-      while (end < shapes().size() && joins_mesh(shapes()[i], shapes()[end]))
+    const ShapeList& singles = shapes().singles();
+    const InstanceIndex& index = shapes().index();
+    ShapeId written = 0;
+    const auto write_singles_before = [&](ShapeId id) {
+      ShapeId end = written;
+      while (end < singles.size() && index.id_of_single(end) < id)
         ++end;
-      write(i, end);
-      i = end;
+      write_run(singles, written, end, "");
+      written = end;
+    };
+    for (InstanceId id = 0; id < shapes().instance_count(); ++id) {
+      write_singles_before(index.first(id));
+      write_instance(id);
     }
+    write_singles_before(static_cast<ShapeId>(shapes().size()));
   }
 
  private:
   PovWriter& out() { return exporter_.out; }
-  const ShapeList& shapes() const { return exporter_.scene.shapes; }
+  const SceneShapes& shapes() const { return exporter_.scene.shapes; }
   static std::string name_of(MaterialId id) { return fmt::format("material_{}", id); }
+
+  // The shapes of an instance in the group's frame, with the materials that they wear.
+  ShapeList worn_shapes(const Instance& instance) const {
+    ShapeList worn;
+    for (Shape shape : shapes().prototypes()[instance.prototype]) {
+      if (shape.material == kNoId) shape.material = instance.material;
+      worn.push_back(shape);
+    }
+    return worn;
+  }
+
+  void write_instance(InstanceId id) {
+    const Instance instance = shapes().instance(id);
+    const auto [known, is_new] =
+        declared_.try_emplace({instance.prototype, instance.material}, std::string());
+    if (is_new) known->second = declare(instance);
+    if (!known->second.empty()) {
+      out().line(
+          fmt::format("object {{ {} {} }}", known->second, pov_matrix(instance.world_from_group)));
+      return;
+    }
+    // A texture that lies in the world, or on a shape's own coordinates, is of one place.
+    const ShapeId first = shapes().index().first(id);
+    ShapeList single;
+    for (ShapeId n = 0; n < shapes().prototypes()[instance.prototype].size(); ++n)
+      single.push_back(shapes()[first + n]);
+    write_run(single, 0, single.size(), "");
+  }
+
+  // The name of the object that was declared; empty if its materials cannot be shared.
+  std::string declare(const Instance& instance) {
+    const ShapeList worn = worn_shapes(instance);
+    for (const Shape& shape : worn) {
+      if (!is_shareable(exporter_, exporter_.scene.materials[shape.material])) return "";
+    }
+    std::string name = fmt::format("group_{}", declared_.size());
+    out().comment(origin_of(exporter_, instance.span, "a group that is placed several times"));
+    out().open("#declare " + name + " = union");
+    write_run(worn, 0, worn.size(), instance.path);
+    out().close();
+    return name;
+  }
+
+  void write_run(const ShapeList& list, std::size_t begin, std::size_t last,
+                 const std::string& path) {
+    for (std::size_t i = begin; i < last;) {
+      std::size_t end = i + 1;
+      while (end < last && joins_mesh(list[i], list[end]))
+        ++end;
+      write(list, i, end, path);
+      i = end;
+    }
+  }
 
   // Triangles of one material that follow each other are one mesh: POV-Ray finds its way in a mesh
   // much faster, and a solid made of triangles has one inside.
@@ -117,18 +182,18 @@ class ShapesExport {
            is_shareable(exporter_, exporter_.scene.materials[first.material]);
   }
 
-  // Shapes begin .. end - 1 as one object.
-  void write(std::size_t begin, std::size_t end) {
-    const Shape shape = shapes()[begin];
+  // Shapes begin .. end - 1 as one object; `path` is that of the groups around the list.
+  void write(const ShapeList& list, std::size_t begin, std::size_t end, const std::string& path) {
+    const Shape shape = list[begin];
     const ShapeText text = shape_text(shape.geometry);
-    say_what_differs(begin, end);
-    out().comment(origin_of(exporter_, shape.span, shapes().name(begin)));
+    say_what_differs(list, begin, end);
+    out().comment(origin_of(exporter_, shape.span, path + list.name(begin)));
     out().open(text.head);
     out().line(text.numbers);
     for (std::size_t i = begin + 1; i < end; ++i) {
-      const Shape next = shapes()[i];
-      if (!(next.span == shapes()[i - 1].span)) {
-        out().comment(origin_of(exporter_, next.span, shapes().name(i)));
+      const Shape next = list[i];
+      if (!(next.span == list[i - 1].span)) {
+        out().comment(origin_of(exporter_, next.span, path + list.name(i)));
       }
       out().line(corners(std::get<Triangle>(next.geometry)));
     }
@@ -138,15 +203,15 @@ class ShapesExport {
     out().close();
   }
 
-  void say_what_differs(std::size_t begin, std::size_t end) {
-    const Shape shape = shapes()[begin];
+  void say_what_differs(const ShapeList& list, std::size_t begin, std::size_t end) {
+    const Shape shape = list[begin];
     if (has_inside(exporter_.scene.materials[shape.material]) && !is_closed(shape.geometry) &&
         !std::holds_alternative<Triangle>(shape.geometry)) {
       exporter_.deviate(DeviationKind::open_solid, shape.span);
     }
     // Smooth triangles come by the thousand: the first of a mesh stands for all.
     for (std::size_t i = begin; i < end; ++i) {
-      const Shape next = shapes()[i];
+      const Shape next = list[i];
       const auto* triangle = std::get_if<Triangle>(&next.geometry);
       if (triangle == nullptr || !triangle->normals) continue;
       exporter_.deviate(DeviationKind::smooth_normals, next.span);
@@ -182,6 +247,7 @@ class ShapesExport {
   }
 
   Exporter& exporter_;
+  std::map<std::pair<PrototypeId, MaterialId>, std::string> declared_;
 };
 
 }  // namespace

@@ -36,9 +36,25 @@ struct Solid {
 
 std::vector<SourceSpan> solids_within_solids(const Scene& scene) {
   std::vector<Solid> solids;
-  for (const Shape& shape : scene.shapes) {
-    if (!is_see_through(scene.materials[shape.material])) continue;
+  const auto add = [&](const Shape& shape) {
+    if (!is_see_through(scene.materials[shape.material])) return;
     solids.push_back({world_bounds(shape), shape.material, shape.span});
+  };
+  const SceneShapes& shapes = scene.shapes;
+  for (const Shape& shape : shapes.singles())
+    add(shape);
+  std::vector<std::vector<ShapeId>> candidates(shapes.prototypes().size());
+  for (std::size_t p = 0; p < candidates.size(); ++p) {
+    for (ShapeId n = 0; n < shapes.prototypes()[p].size(); ++n) {
+      const MaterialId material = shapes.prototypes()[p][n].material;
+      if (material == kNoId || is_see_through(scene.materials[material])) {
+        candidates[p].push_back(n);
+      }
+    }
+  }
+  for (InstanceId id = 0; id < shapes.instance_count(); ++id) {
+    for (const ShapeId n : candidates[shapes.prototype_of(id)])
+      add(shapes[shapes.index().first(id) + n]);
   }
   // Along x only those are compared that overlap there.
   std::ranges::stable_sort(solids, {}, [](const Solid& s) { return s.bounds.low.x; });

@@ -26,13 +26,30 @@ double farthest(const Bounds& bounds, Vec3d eye) {
 
 std::vector<SourceSpan> shapes_out_of_reach(const Scene& scene) {
   std::vector<SourceSpan> found;
-  for (const Shape& shape : scene.shapes) {
-    if (std::holds_alternative<Plane>(shape.geometry)) continue;
+  const SceneShapes& shapes = scene.shapes;
+  const Vec3d eye = scene.camera.frame.position;
+  shapes.for_each_different([&](const Shape& shape, ShapeId) {
+    if (std::holds_alternative<Plane>(shape.geometry)) return;
     const Bounds world = world_bounds(shape);
     const double size = std::min(extent(world), extent(object_bounds(shape.geometry)));
-    if (size < kSmallest || farthest(world, scene.camera.frame.position) > kFarthest) {
-      found.push_back(shape.span);
+    if (size < kSmallest || farthest(world, eye) > kFarthest) found.push_back(shape.span);
+  });
+  std::vector<Box> around;
+  for (const ShapeList& prototype : shapes.prototypes()) {
+    Bounds all = world_bounds(prototype[0]);
+    for (const Shape& shape : prototype) {
+      const Bounds one = world_bounds(shape);
+      all.add(one.low);
+      all.add(one.high);
     }
+    around.push_back({all.low, all.high});
+  }
+  for (InstanceId id = 0; id < shapes.instance_count(); ++id) {
+    const Instance instance = shapes.instance(id);
+    Shape whole;
+    whole.geometry = around[instance.prototype];
+    whole.world_from_object = instance.world_from_group;
+    if (farthest(world_bounds(whole), eye) > kFarthest) found.push_back(instance.span);
   }
   return found;
 }

@@ -223,6 +223,41 @@ std::string text(const RenderSettings& s) {
       s.seed);
 }
 
+std::string text(const Shape& s, std::string_view name) {
+  std::string out = fmt::format("{} {} {}", quoted(name), kind_name(s.geometry), text(s.geometry));
+  if (s.material != kNoId) out += fmt::format(" material {}", s.material);
+  if (s.world_from_object) out += " world " + text(*s.world_from_object);
+  if (s.light != kNoId) out += fmt::format(" light {}", s.light);
+  return out + '\n';
+}
+
+// Single shapes and instances in the order of their ids; what has no id of its own goes before.
+void append_shapes(const SceneShapes& shapes, std::string& out) {
+  for (std::size_t p = 0; p < shapes.prototypes().size(); ++p) {
+    const ShapeList& prototype = shapes.prototypes()[p];
+    for (std::size_t i = 0; i < prototype.size(); ++i)
+      out += fmt::format("prototype {} shape {}: {}", p, i, text(prototype[i], prototype.name(i)));
+  }
+  InstanceId next = 0;
+  const auto append_instances_before = [&](ShapeId id) {
+    for (; next < shapes.instance_count() && shapes.index().first(next) < id; ++next) {
+      const Instance instance = shapes.instance(next);
+      out += fmt::format(
+          "shape {} to {}: {} prototype {}", shapes.index().first(next),
+          shapes.index().first(next) + shapes.prototypes()[instance.prototype].size() - 1,
+          quoted(instance.path), instance.prototype);
+      if (instance.material != kNoId) out += fmt::format(" material {}", instance.material);
+      out += " world " + text(instance.world_from_group) + '\n';
+    }
+  };
+  for (ShapeId n = 0; n < shapes.singles().size(); ++n) {
+    const ShapeId id = shapes.index().id_of_single(n);
+    append_instances_before(id);
+    out += fmt::format("shape {}: {}", id, text(shapes.singles()[n], shapes.singles().name(n)));
+  }
+  append_instances_before(static_cast<ShapeId>(shapes.size()));
+}
+
 }  // namespace
 
 std::string dump(const Scene& scene) {
@@ -254,14 +289,7 @@ std::string dump(const Scene& scene) {
     if (l.visible_shape != kNoId) out += fmt::format(" shape {}", l.visible_shape);
     out += '\n';
   }
-  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    const Shape s = scene.shapes[i];
-    out += fmt::format("shape {}: {} {} {} material {}", i, quoted(scene.shapes.name(i)),
-                       kind_name(s.geometry), text(s.geometry), s.material);
-    if (s.world_from_object) out += " world " + text(*s.world_from_object);
-    if (s.light != kNoId) out += fmt::format(" light {}", s.light);
-    out += '\n';
-  }
+  append_shapes(scene.shapes, out);
   return out;
 }
 

@@ -108,7 +108,7 @@ class Caller {
 void call_surfaces(Walk& walk) {
   enum class Answer : std::uint8_t { unknown, with_normal, without };
   std::vector<Answer> answers(walk.scene.materials.size(), Answer::unknown);
-  for (const Shape& shape : walk.scene.shapes) {
+  walk.scene.shapes.for_each_different([&](const Shape& shape, ShapeId) {
     Answer& answer = answers[shape.material];
     if (answer == Answer::unknown) {
       const Material& material = walk.scene.materials[shape.material];
@@ -120,7 +120,7 @@ void call_surfaces(Walk& walk) {
     if (triangle && triangle->normals && answer == Answer::with_normal) {
       walk.set.call(Effect::smooth_normals, shape.span);
     }
-  }
+  });
 }
 
 bool has_any(const EffectSet& set, std::initializer_list<Effect> effects) {

@@ -67,8 +67,9 @@ bool is_black(const SolidColors& solid, TextureId texture) {
 }
 
 Surroundings surroundings_of(const Scene& scene) {
-  const bool bends = std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const Shape& shape) {
-    return has_index(scene.materials[shape.material].scattering);
+  bool bends = false;
+  scene.shapes.for_each_different([&](const Shape& shape, ShapeId) {
+    bends = bends || has_index(scene.materials[shape.material].scattering);
   });
   return {solid_colors(scene), shining_lights(scene), bends};
 }

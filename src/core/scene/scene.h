@@ -9,8 +9,8 @@
 #include "core/scene/camera.h"
 #include "core/scene/light.h"
 #include "core/scene/material.h"
+#include "core/scene/scene_shapes.h"
 #include "core/scene/settings.h"
-#include "core/scene/shape_list.h"
 #include "core/scene/texture.h"
 
 namespace alhazen {
@@ -23,7 +23,7 @@ struct Scene {
   std::vector<Material> materials;  // no two are equal in all but name and span
   std::vector<ImageFile> images;
   std::vector<Light> lights;
-  ShapeList shapes;
+  SceneShapes shapes;
   std::uint64_t hash = 0;  // of all texts and values that made it (core/base/hash.h)
 };
 

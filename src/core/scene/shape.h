@@ -14,7 +14,7 @@
 namespace alhazen {
 
 using MaterialId = std::uint32_t;
-using ShapeId = std::uint32_t;  // the index of the shape in Scene::shapes
+using ShapeId = std::uint32_t;  // which of Scene::shapes it is
 using LightId = std::uint32_t;
 inline constexpr std::uint32_t kNoId = ~std::uint32_t{0};
 

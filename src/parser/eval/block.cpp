@@ -62,13 +62,12 @@ Value vary_texture(Evaluator& evaluator, TextureId id, const ast::Block& block,
   return varied ? Value(TextureRef{*varied}) : Value(Poison{});
 }
 
-// An object moved, named or given a material: a group around it.
+// An object moved, named or given a material: the same group at another place.
 Value vary_object(Evaluator& evaluator, const Object& object, const ast::Expr& expr,
                   const ast::Block& block, const ScopePtr& scope) {
   BlockBuilder builder(evaluator, object_schema(), block.head->span);
-  builder.add(Node{object.group, {std::nullopt, "", expr.span}}, expr.span);
   evaluator.fill(builder, block.body, scope);
-  auto node = make_group(evaluator, builder, expr.span);
+  auto node = make_placed(evaluator, builder, object.group, expr.span);
   return node ? Value(object_of(std::move(*node))) : Value(Poison{});
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/base/near_name.h"
+#include "parser/eval/group_survey.h"
 #include "parser/eval/habits.h"
 #include "parser/eval/place.h"
 #include "parser/eval/property_check.h"
@@ -90,7 +91,10 @@ void BlockBuilder::add(Node node, SourceSpan span) {
 
 void BlockBuilder::push(Node node, SourceSpan span) {
   if (const auto* inner = std::get_if<std::shared_ptr<const Group>>(&node.content)) {
-    group_.node_count += (*inner)->node_count;
+    // A large group is kept once, however often it is placed here.
+    const bool is_known =
+        (*inner)->node_count >= kLeastShared && !counted_.insert(inner->get()).second;
+    group_.node_count += is_known ? 1 : (*inner)->node_count;
     group_.depth = std::max(group_.depth, (*inner)->depth + 1);
   } else {
     ++group_.node_count;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "parser/eval/evaluator.h"
@@ -47,6 +48,7 @@ class BlockBuilder {
   Evaluator& evaluator_;
   Properties properties_;
   Group group_;
+  std::unordered_set<const Group*> counted_;  // of large ones among the children
   std::optional<SourceSpan> first_;
   bool broken_ = false;
 };

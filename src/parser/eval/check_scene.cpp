@@ -90,13 +90,12 @@ void check_scene(Context& context, const Scene& scene) {
   if (!is_finite(scene.camera)) {
     context.report<DiagnosticKind::not_finite_in_scene>(scene.camera.span, "camera");
   }
-  for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
-    const Shape shape = scene.shapes[id];
+  scene.shapes.for_each_different([&](const Shape& shape, ShapeId id) {
     if (!is_finite(shape.geometry)) {
       context.report<DiagnosticKind::not_finite_in_scene>(shape.span, scene.shapes.name(id));
     }
     if (!is_closed(shape.geometry)) check_open_shape(context, scene, shape);
-  }
+  });
   for (const Light& light : scene.lights) {
     if (!is_finite(light.source)) {
       context.report<DiagnosticKind::not_finite_in_scene>(light.span, light.name);

@@ -62,6 +62,17 @@ class NodeList {
     }
   }
 
+  // visit(group) for each node that is a group.
+  template <class Visit>
+  void for_each_group(const Visit& visit) const {
+    using Groups = Run<std::shared_ptr<const Group>>;
+    for (const AnyRun& run : runs_) {
+      const auto* groups = std::get_if<Groups>(&run);
+      for (std::size_t i = 0; groups != nullptr && i < groups->size(); ++i)
+        visit((*groups)[i].content);
+    }
+  }
+
  private:
   template <class Content>
   struct Entry {
@@ -89,8 +100,8 @@ class NodeList {
 
 struct Group {
   NodeList children;
-  // Of the whole tree, this group included, and how deep it is: kept so that both can be bounded
-  // where a tree is made, before anything walks it.
+  // Of the whole tree, this group included, what its children have in common counted once; and how
+  // deep it is: kept so that both can be bounded where a tree is made, before anything walks it.
   std::uint64_t node_count = 1;
   int depth = 1;
 };

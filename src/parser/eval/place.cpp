@@ -42,9 +42,15 @@ std::optional<Node> make_shape(Evaluator& evaluator, const Properties& propertie
 }
 
 std::optional<Node> make_group(Evaluator& evaluator, BlockBuilder& builder, SourceSpan span) {
+  return make_placed(evaluator, builder, nullptr, span);
+}
+
+std::optional<Node> make_placed(Evaluator& evaluator, BlockBuilder& builder,
+                                std::shared_ptr<const Group> group, SourceSpan span) {
   const auto properties = builder.finish();
   if (!properties) return std::nullopt;
-  Node node{builder.finish_group(), {std::nullopt, "", span}};
+  if (group == nullptr) group = builder.finish_group();
+  Node node{std::move(group), {std::nullopt, "", span}};
   if (!lower_placing(evaluator.context(), *properties, node)) return std::nullopt;
   return node;
 }

@@ -6,14 +6,19 @@
 
 namespace alhazen::render {
 
-// The rays as they were asked about. source_of(lane) gives the Source of a lane.
-template <class L, class SourceOf>
+// The rays as they were asked about. Shapes is a ShapeTable or the WorldShapes, the rays are in its
+// frame. source_of(lane) gives the Source of a lane.
+template <class L, class Shapes, class SourceOf>
 struct LaneQuery {
-  const ShapeTable<ScalarOf<L>>& table;
+  using Real = ScalarOf<L>;
+
+  const Shapes& shapes;
   const Ray<L>& ray;
   const DepartureLanes<L>& from;
   const SourceOf& source_of;
   IntOf<L> ignored;
+  // Shapes that a lane is not tested against on its way: those that rays leave.
+  IntOf<L> left = select(from.face == IntOf<L>(kNoFace), IntOf<L>(-1), from.shape);
 
   // Lanes of crossings with a shape less those at t = 0 which are behind their rays.
   MaskOf<L> ahead(const IntOf<L>& shape, const Crossing<L>& crossing, MaskOf<L> exists) const {
@@ -21,14 +26,42 @@ struct LaneQuery {
     if (!any(at_start)) return exists;
     std::uint32_t behind = 0;
     for_each_lane(at_start, [&](int i) {
-      const Crossing<ScalarOf<L>> one{crossing.t[i], static_cast<int>(crossing.face[i]),
-                                      crossing.enters[i]};
-      if (!is_ahead(table, one_ray(ray, i), source_of(i), static_cast<ShapeId>(shape[i]), one))
+      const Crossing<Real> one{crossing.t[i], static_cast<int>(crossing.face[i]),
+                               crossing.enters[i]};
+      if (!is_ahead(shapes, one_ray(ray, i), source_of(i), static_cast<ShapeId>(shape[i]), one))
         behind |= std::uint32_t{1} << i;
     });
     return exists && !MaskOf<L>::from_bits(behind);
   }
+
+  // Lanes that are to be tested against a shape.
+  MaskOf<L> asking(ShapeId id, MaskOf<L> lanes) const {
+    const IntOf<L> shape(static_cast<ScalarOf<IntOf<L>>>(id));
+    return lanes && left != shape && ignored != shape;
+  }
+  // Hands the hits of a shape to what is looked for.
+  template <class Targets>
+  void give(const CrossingPair<L>& pair, const IntOf<L>& shape, MaskOf<L> lanes,
+            Targets& targets) const {
+    give(pair.near, shape, lanes && pair.has_near, targets);
+    give(pair.far, shape, lanes && pair.has_far, targets);
+  }
+  template <class Targets>
+  void give(const Crossing<L>& crossing, const IntOf<L>& shape, MaskOf<L> exists,
+            Targets& targets) const {
+    const MaskOf<L> wanted = exists && targets.may_take(crossing.t);
+    if (!any(wanted)) return;
+    targets.take(
+        {crossing.t, shape, crossing.face, crossing.enters, ahead(shape, crossing, wanted)});
+  }
 };
+
+template <class L, class Shapes, class SourceOf>
+inline LaneQuery<L, Shapes, SourceOf> query_of(const Shapes& shapes, const Ray<L>& ray,
+                                               const DepartureLanes<L>& from,
+                                               const SourceOf& source_of, IntOf<L> ignored) {
+  return {shapes, ray, from, source_of, ignored};
+}
 
 // The first hit in the order of precedes(), after the one that `previous` has found, if it is
 // asked for.

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
+#include "render/accel/bounds_tree.h"
 #include "render/accel/lane_targets.h"
 #include "render/accel/packet_ray.h"
-#include "render/accel/shape_tree.h"
-#include "render/accel/tree_walk.h"
 
 namespace alhazen::render {
 
@@ -15,70 +14,43 @@ namespace alhazen::render {
 inline constexpr int kLonely = 4;
 inline constexpr std::size_t kFewNodes = 8;
 
-template <class L, class Query, class Targets>
+// `items` are what the tree has boxes of: items.meet(item, lanes) tests one against several rays,
+// items.alone(lane).meet(item, one) against the ray of a lane, until it is false.
+template <class L, class Items, class Targets>
 class PacketWalk {
  public:
   using Real = ScalarOf<L>;
   using Mask = MaskOf<L>;
-  using Int = IntOf<L>;
   using Float = TreeNumberOf<L>;
   using FloatMask = MaskOf<Float>;
 
-  PacketWalk(const ShapeTree<Real>& tree, const Query& query, Targets& targets)
-      : tree_(tree),
-        query_(query),
-        targets_(targets),
-        // Shapes that a lane is not tested against on its way.
-        left_(select(query.from.face == Int(kNoFace), Int(-1), query.from.shape)) {}
+  // The rays in the frame of the tree, those of `among` only.
+  PacketWalk(const BoundsTree<Real>& tree, const Ray<L>& ray, const Items& items, Targets& targets,
+             Mask among = true)
+      : tree_(tree), ray_(ray), items_(items), targets_(targets), among_(among) {}
 
   void run() {
-    leave();
-    for (const ShapeId id : tree_.outside())
-      consider(id, targets_.wanting());
+    for (const std::uint32_t item : tree_.outside())
+      items_.meet(item, wanting());
     const std::span<const TreeNode> nodes = tree_.nodes();
-    if (nodes.empty() || !any(targets_.wanting())) return;
-    const auto way = approach(tree_.frame(), query_.ray, targets_.start(), targets_.limit());
-    if (const Mask lost = way.lost && targets_.wanting(); any(lost)) {
-      for (ShapeId id = 0; id < tree_.table().size(); ++id) {
-        if (!tree_.table().twins().is_hidden(id)) consider(id, lost && targets_.wanting());
-      }
+    if (nodes.empty() || !any(wanting())) return;
+    const auto way = approach(tree_.frame(), ray_, targets_.start(), targets_.limit());
+    if (const Mask lost = way.lost && wanting(); any(lost)) {
+      tree_.for_each_inside([&](std::uint32_t item) {
+        items_.meet(item, lost && wanting());
+        return true;
+      });
     }
-    if (any(way.enters && targets_.wanting())) descend(nodes, way);
+    if (any(way.enters && wanting())) descend(nodes, way);
   }
 
  private:
-  // The shape that a ray departs from comes first: its kernel knows the root at the start. A ray
-  // that goes above a face has left for good, for every shape is convex or flat.
-  void leave() {
-    const Mask own = targets_.wanting() && left_ != Int(-1) && left_ != query_.ignored &&
-                     query_.from.side != Int(static_cast<int>(Side::kAbove));
-    if (!any(own)) return;
-    take(tree_.table().template own_crossings<L>(left_, query_.ray, query_.from.face,
-                                                 query_.from.side, own),
-         left_, own);
-  }
-
-  void consider(ShapeId id, Mask lanes) {
-    const Int shape(static_cast<ScalarOf<Int>>(id));
-    const Mask wanting = lanes && left_ != shape && query_.ignored != shape;
-    if (any(wanting)) take(tree_.table().crossings(id, query_.ray), shape, wanting);
-  }
-
-  void take(const CrossingPair<L>& pair, const Int& shape, Mask lanes) {
-    take(pair.near, shape, lanes && pair.has_near);
-    take(pair.far, shape, lanes && pair.has_far);
-  }
-  void take(const Crossing<L>& crossing, const Int& shape, Mask exists) {
-    const Mask wanted = exists && targets_.may_take(crossing.t);
-    if (!any(wanted)) return;
-    targets_.take(
-        {crossing.t, shape, crossing.face, crossing.enters, query_.ahead(shape, crossing, wanted)});
-  }
+  Mask wanting() const { return among_ && targets_.wanting(); }
 
   // The lanes that are still under way, at the times by which they have to arrive.
   Float ends(const Approach<L>& way) const {
     const Float end = way.clock.until(targets_.limit());
-    return select(FloatMask::from_bits((way.enters && targets_.wanting()).bits()), end, Float(-1));
+    return select(FloatMask::from_bits((way.enters && wanting()).bits()), end, Float(-1));
   }
   void descend(std::span<const TreeNode> nodes, const Approach<L>& way) {
     struct Waiting {
@@ -120,7 +92,7 @@ class PacketWalk {
       if (!any(lanes)) continue;
       const TreeChild child = parent.children[next.place];
       if (child.is_shape()) {
-        consider(child.index(), lanes);
+        items_.meet(child.index(), lanes);
       } else if (count(lanes) <= std::max(1, L::kWidth / kLonely)) {
         for_each_lane(lanes, [&](int lane) { go_alone(nodes, child, way, lane); });
       } else {
@@ -134,31 +106,21 @@ class PacketWalk {
   }
 
   void go_alone(std::span<const TreeNode> nodes, TreeChild root, const Approach<L>& way, int lane) {
-    const Ray<Real> ray = one_ray(query_.ray, lane);
     const TreeRay tree_ray({way.origin.x[lane], way.origin.y[lane], way.origin.z[lane]},
                            {way.inverse.x[lane], way.inverse.y[lane], way.inverse.z[lane]},
                            way.blur[lane]);
     const TreeClock<Real> clock{way.clock.start[lane], way.clock.speed[lane]};
     typename Targets::One one(targets_, lane);
-    const auto left = static_cast<ShapeId>(left_[lane]),
-               ignored = static_cast<ShapeId>(query_.ignored[lane]);
-    walk(nodes, root, tree_ray, clock, one.limit(), [&](ShapeId id) {
-      if (id == left || id == ignored) return true;
-      return for_each_hit(tree_.table(), ray, query_.source_of(lane), one.limit(), id,
-                          [&](const Hit<Real>& hit) { return one.take(hit); });
-    });
+    const auto alone = items_.alone(lane);
+    walk(nodes, root, tree_ray, clock, one.limit(),
+         [&](std::uint32_t item) { return alone.meet(item, one); });
   }
 
-  const ShapeTree<Real>& tree_;
-  const Query& query_;
+  const BoundsTree<Real>& tree_;
+  const Ray<L>& ray_;
+  const Items& items_;
   Targets& targets_;
-  Int left_;
+  Mask among_;
 };
-
-template <class L, class SourceOf, class Targets>
-inline void find(const ShapeTree<ScalarOf<L>>& tree, const LaneQuery<L, SourceOf>& query,
-                 Targets& targets) {
-  PacketWalk<L, LaneQuery<L, SourceOf>, Targets>(tree, query, targets).run();
-}
 
 }  // namespace alhazen::render

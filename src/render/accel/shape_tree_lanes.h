@@ -1,40 +1,42 @@
-// render/accel: closest_hit, next_hit and any_hit of shape_tree.h for lanes of rays: a packet walks
-// the tree together, and rays that few others go along with walk on alone (docs/acceleration.md).
+// render/accel: closest_hit, next_hit and any_hit of shape_tree.h and world_tree.h for lanes of
+// rays: a packet walks the tree together, and rays that few others go along with walk on alone
+// (docs/acceleration.md).
 #pragma once
 
-#include "render/accel/packet_walk.h"
+#include "render/accel/instance_lanes.h"
 #include "render/accel/twin_lanes.h"
 
 namespace alhazen::render {
 
-// Each active lane has what the function for single rays has, to the last bit. `from` is what
-// source_of(lane) says of the shape; source_of is asked for the rest, rarely.
-template <class L, class SourceOf>
-inline HitLanes<L> closest_hits(const ShapeTree<ScalarOf<L>>& tree, const Ray<L>& ray,
-                                const DepartureLanes<L>& from, const SourceOf& source_of, L t_max,
-                                IntOf<L> ignored, MaskOf<L> active) {
+// Tree is a ShapeTree or the WorldTree of ScalarOf<L>. Each active lane has what the function for
+// single rays has, to the last bit. `from` is what source_of(lane) says of the shape; source_of is
+// asked for the rest, rarely.
+template <class L, class Tree, class SourceOf>
+inline HitLanes<L> closest_hits(const Tree& tree, const Ray<L>& ray, const DepartureLanes<L>& from,
+                                const SourceOf& source_of, L t_max, IntOf<L> ignored,
+                                MaskOf<L> active) {
+  const auto& shapes = shapes_of(tree);
   const auto search = [&](const DepartureLanes<L>& leaving, const auto& sources,
                           const IntOf<L>& without, MaskOf<L> lanes) {
     FirstHits<L> targets(t_max, lanes, nullptr);
-    using Query = LaneQuery<L, std::remove_cvref_t<decltype(sources)>>;
-    find(tree, Query{tree.table(), ray, leaving, sources, without}, targets);
+    find<L>(tree, query_of(shapes, ray, leaving, sources, without), targets);
     return targets.found();
   };
-  if (tree.table().twins().none()) return search(from, source_of, ignored, active);
-  const LayerQuery<L> query(tree.table(), ray, source_of, ignored, active);
+  if (shapes.twins().none()) return search(from, source_of, ignored, active);
+  const LayerQuery<L> query(shapes, ray, source_of, ignored, active);
   const auto sources = [&query](int lane) { return query.source(lane); };
   return query.all(search(query.from(), sources, query.ignored(), query.to_search()));
 }
 
 // After `previous`, which has found a hit in every active lane.
-template <class L, class SourceOf>
-inline HitLanes<L> next_hits(const ShapeTree<ScalarOf<L>>& tree, const Ray<L>& ray,
-                             const DepartureLanes<L>& from, const SourceOf& source_of,
-                             const HitLanes<L>& previous, L t_max, IntOf<L> ignored,
-                             MaskOf<L> active) {
+template <class L, class Tree, class SourceOf>
+inline HitLanes<L> next_hits(const Tree& tree, const Ray<L>& ray, const DepartureLanes<L>& from,
+                             const SourceOf& source_of, const HitLanes<L>& previous, L t_max,
+                             IntOf<L> ignored, MaskOf<L> active) {
+  const auto& shapes = shapes_of(tree);
   FirstHits<L> targets(t_max, active, &previous);
-  if (tree.table().twins().none()) {
-    find(tree, LaneQuery<L, SourceOf>{tree.table(), ray, from, source_of, ignored}, targets);
+  if (shapes.twins().none()) {
+    find<L>(tree, query_of(shapes, ray, from, source_of, ignored), targets);
     return targets.found();
   }
   HitLanes<L> hits = targets.found();
@@ -46,19 +48,18 @@ inline HitLanes<L> next_hits(const ShapeTree<ScalarOf<L>>& tree, const Ray<L>& r
   return hits;
 }
 
-template <class L, class SourceOf>
-inline MaskOf<L> any_hits(const ShapeTree<ScalarOf<L>>& tree, const Ray<L>& ray,
-                          const DepartureLanes<L>& from, const SourceOf& source_of, L t_max,
-                          IntOf<L> ignored, MaskOf<L> active) {
+template <class L, class Tree, class SourceOf>
+inline MaskOf<L> any_hits(const Tree& tree, const Ray<L>& ray, const DepartureLanes<L>& from,
+                          const SourceOf& source_of, L t_max, IntOf<L> ignored, MaskOf<L> active) {
+  const auto& shapes = shapes_of(tree);
   const auto search = [&](const DepartureLanes<L>& leaving, const auto& sources,
                           const IntOf<L>& without, MaskOf<L> lanes) {
     AnyHits<L> targets(t_max, lanes);
-    using Query = LaneQuery<L, std::remove_cvref_t<decltype(sources)>>;
-    find(tree, Query{tree.table(), ray, leaving, sources, without}, targets);
+    find<L>(tree, query_of(shapes, ray, leaving, sources, without), targets);
     return targets.found();
   };
-  if (tree.table().twins().none()) return search(from, source_of, ignored, active);
-  const LayerQuery<L> query(tree.table(), ray, source_of, ignored, active);
+  if (shapes.twins().none()) return search(from, source_of, ignored, active);
+  const LayerQuery<L> query(shapes, ray, source_of, ignored, active);
   const auto sources = [&query](int lane) { return query.source(lane); };
   return query.at_start() || search(query.from(), sources, query.ignored(), query.to_search());
 }

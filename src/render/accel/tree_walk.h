@@ -8,9 +8,9 @@
 namespace alhazen::render {
 
 // Calls consider(shape) for every shape below `root` whose box the ray meets before `to`, until it
-// returns false. `to` is read anew after each shape.
+// returns false; whether it never did. `to` is read anew after each shape.
 template <class Real, class Consider>
-inline void walk(std::span<const TreeNode> nodes, TreeChild root, const TreeRay& ray,
+inline bool walk(std::span<const TreeNode> nodes, TreeChild root, const TreeRay& ray,
                  const TreeClock<Real>& clock, const Real& to, const Consider& consider) {
   struct Waiting {
     float near;
@@ -25,7 +25,7 @@ inline void walk(std::span<const TreeNode> nodes, TreeChild root, const TreeRay&
     const Waiting next = stack[--waiting];
     if (next.near > end) continue;
     if (next.child.is_shape()) {
-      if (!consider(next.child.index())) return;
+      if (!consider(next.child.index())) return false;
       end = clock.until(to);
       continue;
     }
@@ -43,6 +43,7 @@ inline void walk(std::span<const TreeNode> nodes, TreeChild root, const TreeRay&
       stack[place] = {near[k], node.children[k]};
     });
   }
+  return true;
 }
 
 }  // namespace alhazen::render

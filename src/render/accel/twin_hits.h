@@ -3,7 +3,8 @@
 //
 // The layers of a stack follow each other at one t, in the order of the ray's way through them:
 // nothing else comes between. So a ray that leaves a layer towards another is there at once, at t =
-// 0, and nothing is searched for; one that leaves the last layer, leaves the stand-in.
+// 0, and nothing is searched for; one that leaves the last layer, leaves the stand-in. Shapes is a
+// ShapeTable or the WorldShapes.
 #pragma once
 
 #include <optional>
@@ -19,18 +20,17 @@ inline Source standing_in(const Twins& twins, Source source) {
   return source;
 }
 
-template <class Real>
-inline bool goes_inward(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source) {
+template <class Shapes, class Real>
+inline bool goes_inward(const Shapes& table, const Ray<Real>& ray, const Source& source) {
   if (source.side != Side::kByDirection) return source.side == Side::kBelow;
   const Crossing<Real> start{Real(0), source.face, true};
   return dot(table.plain_surface(source.shape, ray, start).normal, ray.direction) < Real(0);
 }
 
 // The next layer, of a ray that sets out from a layer.
-template <class Real>
-inline std::optional<Hit<Real>> hit_on_next_layer(const ShapeTable<Real>& table,
-                                                  const Ray<Real>& ray, const Source& source,
-                                                  ShapeId ignored) {
+template <class Shapes, class Real>
+inline std::optional<Hit<Real>> hit_on_next_layer(const Shapes& table, const Ray<Real>& ray,
+                                                  const Source& source, ShapeId ignored) {
   const Twins& twins = table.twins();
   if (source.face == kNoFace || !twins.has_twin(source.shape)) return std::nullopt;
   if (twins.stand_in(source.shape) == twins.stand_in(ignored)) return std::nullopt;
@@ -48,8 +48,8 @@ inline std::optional<Hit<Real>> on_first_layer(const Twins& twins, std::optional
 
 // What closest_hit says, where search(source, ignored) says it of stand-ins. A lamp is ignored with
 // all its twins: its light comes from the outermost layer.
-template <class Real, class Search>
-inline std::optional<Hit<Real>> closest_layer(const ShapeTable<Real>& table, const Ray<Real>& ray,
+template <class Shapes, class Real, class Search>
+inline std::optional<Hit<Real>> closest_layer(const Shapes& table, const Ray<Real>& ray,
                                               const Source& source, ShapeId ignored,
                                               const Search& search) {
   const Twins& twins = table.twins();
@@ -60,8 +60,8 @@ inline std::optional<Hit<Real>> closest_layer(const ShapeTable<Real>& table, con
 
 // What next_hit says, where search(source, previous, ignored) says it of stand-ins; without a
 // previous hit, what closest_hit says.
-template <class Real, class Search>
-inline std::optional<Hit<Real>> next_layer(const ShapeTable<Real>& table, const Ray<Real>& ray,
+template <class Shapes, class Real, class Search>
+inline std::optional<Hit<Real>> next_layer(const Shapes& table, const Ray<Real>& ray,
                                            const Source& source, Hit<Real> previous,
                                            ShapeId ignored, const Search& search) {
   const Twins& twins = table.twins();
@@ -81,8 +81,8 @@ inline std::optional<Hit<Real>> next_layer(const ShapeTable<Real>& table, const 
 }
 
 // What any_hit says, where search(source, ignored) says it of stand-ins.
-template <class Real, class Search>
-inline bool any_layer(const ShapeTable<Real>& table, const Ray<Real>& ray, const Source& source,
+template <class Shapes, class Real, class Search>
+inline bool any_layer(const Shapes& table, const Ray<Real>& ray, const Source& source,
                       ShapeId ignored, const Search& search) {
   const Twins& twins = table.twins();
   if (twins.none()) return search(source, ignored);

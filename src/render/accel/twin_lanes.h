@@ -12,8 +12,8 @@ class LayerQuery {
  public:
   using Real = ScalarOf<L>;
 
-  template <class SourceOf>
-  LayerQuery(const ShapeTable<Real>& table, const Ray<L>& ray, const SourceOf& source_of,
+  template <class Shapes, class SourceOf>
+  LayerQuery(const Shapes& table, const Ray<L>& ray, const SourceOf& source_of,
              const IntOf<L>& ignored, MaskOf<L> active)
       : twins_(table.twins()) {
     using Word = ScalarOf<IntOf<L>>;

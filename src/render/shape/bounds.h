@@ -180,16 +180,18 @@ inline ShapeBounds<Real> bounds_in_world(const Kernel& kernel) {
   return bounds::grown(hull, reach * hull.size(), reach);
 }
 
-// Of a kernel that has the ray mapped to its object frame. The two maps are inverse only to
-// rounding: with E = object_from_world * world_from_object - 1, a point p whose image is q lies
-// where world_from_object puts q but for the inverse's norm times E q, and that norm is at most
-// twice the norm of world_from_object if E < 1/2. If not, or if a number leaves the range of Real,
-// the result is not finite.
-template <class Real, class Kernel>
-inline ShapeBounds<Real> bounds_in_world(const Kernel& kernel,
-                                         const Affine<Real>& world_from_object,
-                                         const Affine<Real>& object_from_world) {
-  using namespace bounds;
+namespace bounds {
+
+// Of something in an object frame that rays are mapped to. `there` is what world_from_object makes
+// of it, its hits in that frame lie within kernel_error (|origin| + object_size) of it. The two
+// maps are inverse only to rounding: with E = object_from_world * world_from_object - 1, a point p
+// whose image is q lies where world_from_object puts q but for the inverse's norm times E q, and
+// that norm is at most twice the norm of world_from_object if E < 1/2. If not, or if a number
+// leaves the range of Real, the result is not finite.
+template <class Real>
+inline ShapeBounds<Real> placed(const Hull<Real>& there, Real object_size, Real kernel_error,
+                                const Affine<Real>& world_from_object,
+                                const Affine<Real>& object_from_world) {
   const Real u = kU<Real>, in = norm(object_from_world), out = norm(world_from_object);
   Affine<Real> error = object_from_world * world_from_object;
   for (int i = 0; i < 3; ++i)
@@ -197,10 +199,8 @@ inline ShapeBounds<Real> bounds_in_world(const Kernel& kernel,
   const Real out_shift = shift(world_from_object), in_shift = shift(object_from_world);
   const Real twist = norm(error) + Real(16) * u * in * out;
   const Real slip = shift(error) + Real(16) * u * (in * out_shift + in_shift);
-  const auto there = hull(kernel, world_from_object);
   if (!(twist < Real(0.5))) return grown(there, infinity<Real>(), infinity<Real>());
-  const Real object_size = hull(kernel, Affine<Real>()).size(), size = there.size();
-  const Real kernel_error = rounding<Kernel, Real>(kernel);
+  const Real size = there.size();
   // In the object frame, beside what grows with |origin|: the kernel's error, and that of the
   // mapped origin and direction, 16u of |object_from_world| (|origin| + |shape|) each.
   const Real in_object = kernel_error * (in_shift + object_size) +
@@ -209,6 +209,29 @@ inline ShapeBounds<Real> bounds_in_world(const Kernel& kernel,
       Real(2) * out * in_object + Real(32) * u * (size + out * object_size + out_shift);
   const Real reach = Real(2) * out * in * (kernel_error + Real(32) * u) + Real(32) * u;
   return grown(there, in_world, reach);
+}
+
+}  // namespace bounds
+
+// Of a kernel that has the ray mapped to its object frame.
+template <class Real, class Kernel>
+inline ShapeBounds<Real> bounds_in_world(const Kernel& kernel,
+                                         const Affine<Real>& world_from_object,
+                                         const Affine<Real>& object_from_world) {
+  return bounds::placed(
+      bounds::hull(kernel, world_from_object), bounds::hull(kernel, Affine<Real>()).size(),
+      bounds::rounding<Kernel, Real>(kernel), world_from_object, object_from_world);
+}
+
+// Of shapes with bounds of their own in a frame that rays are mapped to.
+template <class Real>
+inline ShapeBounds<Real> bounds_in_world(const ShapeBounds<Real>& own,
+                                         const Affine<Real>& world_from_group,
+                                         const Affine<Real>& group_from_world) {
+  const Box<Real> box{own.min, own.max};
+  return bounds::placed(bounds::hull(box, world_from_group),
+                        bounds::hull(box, Affine<Real>()).size(), own.reach, world_from_group,
+                        group_from_world);
 }
 
 }  // namespace alhazen::render

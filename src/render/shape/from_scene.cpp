@@ -48,6 +48,13 @@ Frustum<double> from_scene(const alhazen::Cone& c, Vec3d origin) {
   return frustum_between(c.base, c.top, c.base_radius, c.top_radius, c.capped, origin);
 }
 
+Placed placed(Affined world_from_object, Vec3d origin) {
+  for (int i = 0; i < 3; ++i)
+    world_from_object.rows[i][3] -= origin[i];
+  return {world_from_object, inverse(world_from_object).value_or(Affined()),
+          determinant(world_from_object) < 0};
+}
+
 Plane<double> from_scene(const alhazen::Plane& plane, Vec3d origin) {
   const Frame<double> frame = frame_around({}, plane.normal);
   return {plane.normal,

@@ -25,6 +25,8 @@ struct Placed {
   Affined world_from_object, object_from_world;
   bool mirrored;  // the determinant is negative
 };
+// A placement of the scene, which promises that it is not singular, as seen from `origin`.
+Placed placed(Affined world_from_object, Vec3d origin);
 Plane<double> from_scene(const alhazen::Plane& plane, Vec3d origin);
 Plane<double> from_scene(const alhazen::Plane& plane, const Placed& place);
 Triangle<double> from_scene(const alhazen::Triangle& triangle, Vec3d origin);

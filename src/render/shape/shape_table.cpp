@@ -30,7 +30,7 @@ class ShapeTable<Real>::Builder {
     entry.placement = Entry::kNotPlaced;
     Placed place{};
     if (shape.world_from_object) {
-      place = placed(*shape.world_from_object);
+      place = placed(*shape.world_from_object, origin_);
       entry.placement = static_cast<std::uint32_t>(table_.placements_.size()) & Entry::kNotPlaced;
       table_.placements_.push_back(
           {Affine<Real>(place.world_from_object), Affine<Real>(place.object_from_world)});
@@ -58,14 +58,6 @@ class ShapeTable<Real>::Builder {
   }
 
  private:
-  // The placement as seen from the origin of the table; the scene promises it is not singular.
-  Placed placed(Affined world_from_object) const {
-    for (int i = 0; i < 3; ++i)
-      world_from_object.rows[i][3] -= origin_[i];
-    return {world_from_object, inverse(world_from_object).value_or(Affined()),
-            determinant(world_from_object) < 0};
-  }
-
   template <class Geometry, class Kernel>
   void in_object(Entry entry, const Geometry& geometry, Kind kind, std::vector<Kernel>& kernels) {
     entry.in_object_frame = entry.is_placed();
@@ -94,12 +86,22 @@ class ShapeTable<Real>::Builder {
 };
 
 template <class Real>
+void ShapeTable<Real>::add(const ShapeList& shapes, Vec3d origin) {
+  Builder builder(*this, origin);
+  for (const Shape& shape : shapes)
+    builder.add(shape);
+}
+
+template <class Real>
+ShapeTable<Real>::ShapeTable(const ShapeList& shapes) {
+  add(shapes, Vec3d());
+}
+
+template <class Real>
 ShapeTable<Real>::ShapeTable(const ShapeList& shapes, Vec3d world_origin,
                              const std::function<int(ShapeId)>& rank)
     : world_origin_(world_origin) {
-  Builder builder(*this, world_origin);
-  for (const Shape& shape : shapes)
-    builder.add(shape);
+  add(shapes, world_origin);
   twins_ = find_twins<Real>(
       size(), [this](ShapeId id) { return landmarks(id); },
       rank ? rank : [](ShapeId) { return 0; });

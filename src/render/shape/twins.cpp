@@ -63,6 +63,17 @@ void Twins::add(std::vector<ShapeId> layers) {
   stacks_.push_back({stand_in, std::move(layers)});
 }
 
+Twins Twins::renamed(const std::function<ShapeId(ShapeId)>& id_of) const {
+  Twins result;
+  for (const Stack& stack : stacks_) {
+    std::vector<ShapeId> layers;
+    for (const ShapeId layer : stack.layers)
+      layers.push_back(id_of(layer));
+    result.add(std::move(layers));
+  }
+  return result;
+}
+
 template <class Real>
 bool are_twins(const Landmarks<Real>& a, const Landmarks<Real>& b) {
   if (a.form != b.form) return false;

@@ -51,6 +51,9 @@ class Twins {
   // stands in for all.
   void add(std::vector<ShapeId> layers);
 
+  // The same shapes by other ids, in the same order.
+  Twins renamed(const std::function<ShapeId(ShapeId)>& id_of) const;
+
  private:
   struct Stack {
     ShapeId stand_in;

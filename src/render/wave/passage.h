@@ -68,7 +68,7 @@ PassageLanes<L> cross_shapes(Wave<ScalarOf<L>>& wave, const IntOf<L>& medium, co
   using Real = ScalarOf<L>;
   const World<Real>& world = wave.world;
   MaskOf<L> plain = is_plain_passage<L>(medium, material, enters, active);
-  if (world.has_sheets) {
+  if (world.thin.any()) {
     for_each_lane(plain, [&](int k) {
       if (world.thin[static_cast<ShapeId>(shape[k])]) {
         plain = plain && !MaskOf<L>::from_bits(std::uint32_t{1} << k);

@@ -7,14 +7,16 @@
 #include <limits>
 #include <vector>
 
-#include "render/accel/shape_tree.h"
+#include "render/accel/world_tree.h"
 #include "render/camera/camera_kernel.h"
 #include "render/film/filter.h"
-#include "render/shape/shape_table.h"
+#include "render/shape/world_shapes.h"
 #include "render/surface/texture_table.h"
 #include "render/wave/background.h"
+#include "render/wave/camera_solids.h"
 #include "render/wave/lights.h"
 #include "render/wave/materials.h"
+#include "render/wave/worn.h"
 
 namespace alhazen::render {
 
@@ -31,22 +33,14 @@ struct World {
         lights(scene.lights, world_offset),
         camera(scene.camera, scene.settings.width, scene.settings.height),
         background(scene.background, pictures),
+        material_of(scene.shapes, shapes.index()),
+        thin(scene, materials, material_of, shapes.index()),
+        solids(clear_solids(scene, shapes)),
         filter(scene.settings.filter),
         cutoff(static_cast<Real>(scene.settings.cutoff)),
         max_depth(scene.settings.max_depth),
         transparent_background(scene.settings.transparent_background),
-        seed(scene.settings.seed) {
-    for (ShapeId id = 0; id < scene.shapes.size(); ++id) {
-      const Shape& shape = scene.shapes[id];
-      const MaterialRecord<Real>& material = materials[shape.material];
-      const bool closed = is_closed(shape.geometry);
-      const bool is_pov = material.kind == SurfaceKind::pov;
-      material_of.push_back(shape.material);
-      thin.push_back(material.pov_clear && !closed && material.ior == 1 && !material.pov.fades);
-      has_sheets = has_sheets || thin.back() != 0;
-      if (closed && (is_pov || material.kind == SurfaceKind::glass)) solids.push_back(id);
-    }
-  }
+        seed(scene.settings.seed) {}
 
   World(const World&) = delete;  // the tree looks at `shapes`
   World& operator=(const World&) = delete;
@@ -65,7 +59,7 @@ struct World {
   // The materials of the shapes of several lanes.
   template <class L>
   IntOf<L> materials_at(const IntOf<L>& shape, MaskOf<L> active) const {
-    return gathered_words<L>(material_of.data(), shape, active);
+    return material_of.at<L>(shape, active);
   }
 
   bool has_shapes() const { return !material_of.empty(); }
@@ -84,15 +78,14 @@ struct World {
   Vec3d world_offset;  // world = rebased + world_offset
   TextureTable<Real> textures;
   MaterialTable<Real> materials;
-  ShapeTable<Real> shapes;
-  ShapeTree<Real> tree;  // of `shapes`
+  WorldShapes<Real> shapes;
+  WorldTree<Real> tree;  // of `shapes`
   Lights<Real> lights;
   CameraKernel<Real> camera;
   BackgroundRadiance<Real> background;
-  std::vector<MaterialId> material_of;  // of each shape
-  std::vector<std::uint8_t> thin;       // of each shape: a clear sheet with nothing inside
-  bool has_sheets = false;              // any of them is thin
-  std::vector<ShapeId> solids;          // that a camera may be inside of, in the scene's order
+  WornMaterials material_of;    // of each shape
+  ThinShapes thin;              // of each shape: a clear sheet with nothing inside
+  std::vector<ShapeId> solids;  // that a camera may be inside of, in the scene's order
   Filter filter;
   Real cutoff;
   int max_depth;

@@ -67,6 +67,37 @@ TEST(ExportPov, EachShapeAndLightSaysWhereItComesFrom) {
     EXPECT_THAT(text, HasSubstr("// " + read.sources.describe(light.span) + ": light"));
 }
 
+// Where the material does not depend on the place.
+TEST(ExportPov, InstancesArePlacesOfOneDeclaredUnion) {
+  const auto count = [](const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+      ++found;
+    return found;
+  };
+  const auto text_with = [](const std::string& color) {
+    return read_scene(
+               "let s = group { for i in 0..20 { sphere { center x*i } } }\n"
+               "let m = diffuse { color " +
+               color +
+               " }\n"
+               "for i in 0..3 { object s { translate y*i + z  material m } }\n"
+               "object s { translate -y  material mirror { } }\n"
+               "sphere { }\n")
+        .exported()
+        .text;
+  };
+  const std::string shared = text_with("rgb(0.5)");
+  EXPECT_EQ(count(shared, "= union"), 2U) << "one for each material";
+  EXPECT_EQ(count(shared, "object { group_1 translate"), 3U);
+  EXPECT_EQ(count(shared, "object { group_2 translate"), 1U);
+  EXPECT_EQ(count(shared, "sphere {"), 41U);
+  expect_balanced(shared);
+  const std::string written = text_with("checker(rgb(0), rgb(1)) { mapping world }");
+  EXPECT_EQ(count(written, "= union"), 1U);
+  EXPECT_EQ(count(written, "sphere {"), 3 * 20U + 21);
+}
+
 TEST(ExportPov, NoNumberIsInfiniteOrNan) {
   const std::string text = read_scene(std::string(kManyThings) +
                                       "sphere { material glass { absorption rgb(1e-310) } }\n")
@@ -95,7 +126,7 @@ RC_GTEST_PROP(ExportPov, NoNameIsCode, ()) {
     return *rc::gen::container<std::string>(
         rc::gen::elementOf(std::string("\r\n\"*/\\#{}a \0\x1a\xc2\x85", 16)));
   };
-  ShapeList named;
+  SceneShapes named;
   for (Shape shape : read.scene.shapes) {
     shape.name = name();
     named.push_back(shape);
