@@ -14,19 +14,51 @@ struct NoDeparture {
   NoDeparture(const DepartureLanes<L>& /*from*/) {}
 };
 
-// The rays as they were asked about. source_of(lane) gives the Source of a lane.
-template <class L, class SourceOf>
+// The rays as they were asked about. Shapes is a ShapeTable or the WorldShapes, the rays are in its
+// frame. source_of(lane) gives the Source of a lane.
+template <class L, class Shapes, class SourceOf>
 struct LaneQuery {
-  const ShapeTable<ScalarOf<L>>& table;
+  using Real = ScalarOf<L>;
+
+  const Shapes& shapes;
   const Ray<L>& ray;
   NoDeparture<L> from;
   const SourceOf& source_of;
   IntOf<L> ignored;
+  IntOf<L> left = -1;
 
   MaskOf<L> ahead(const IntOf<L>& /*shape*/, const Crossing<L>& crossing, MaskOf<L> exists) const {
     return exists && crossing.t > L(1e-6);
   }
+
+  // Lanes that are to be tested against a shape.
+  MaskOf<L> asking(ShapeId id, MaskOf<L> lanes) const {
+    const IntOf<L> shape(static_cast<ScalarOf<IntOf<L>>>(id));
+    return lanes && left != shape && ignored != shape;
+  }
+  // Hands the hits of a shape to what is looked for.
+  template <class Targets>
+  void give(const CrossingPair<L>& pair, const IntOf<L>& shape, MaskOf<L> lanes,
+            Targets& targets) const {
+    give(pair.near, shape, lanes && pair.has_near, targets);
+    give(pair.far, shape, lanes && pair.has_far, targets);
+  }
+  template <class Targets>
+  void give(const Crossing<L>& crossing, const IntOf<L>& shape, MaskOf<L> exists,
+            Targets& targets) const {
+    const MaskOf<L> wanted = exists && targets.may_take(crossing.t);
+    if (!any(wanted)) return;
+    targets.take(
+        {crossing.t, shape, crossing.face, crossing.enters, ahead(shape, crossing, wanted)});
+  }
 };
+
+template <class L, class Shapes, class SourceOf>
+inline LaneQuery<L, Shapes, SourceOf> query_of(const Shapes& shapes, const Ray<L>& ray,
+                                               const DepartureLanes<L>& from,
+                                               const SourceOf& source_of, IntOf<L> ignored) {
+  return {shapes, ray, from, source_of, ignored};
+}
 
 // The first hit in the order of precedes(), after the one that `previous` has found, if it is
 // asked for.
