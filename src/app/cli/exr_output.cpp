@@ -41,7 +41,8 @@ std::vector<Plane> data_planes(const render::Picture& picture, std::span<const f
                                {{"samples.V"}, picture.samples},
                                {{"cost.V"}, picture.cost},
                                {{"signature.hi", "signature.lo"}, signature},
-                               {{"margin.V"}, picture.margin}};
+                               {{"margin.V"}, picture.margin},
+                               {{"error.V"}, picture.error}};
   std::erase_if(planes, [](const Plane& plane) { return plane.samples.empty(); });
   return planes;
 }

@@ -9,7 +9,7 @@
 namespace alhazen {
 
 // Channels R, G, B, A; and of what was asked for: Z, N.X .Y .Z, P.X .Y .Z, uv.U .V, albedo.R .G .B,
-// samples.V, cost.V, CryptoObject, CryptoMaterial. `provenance` becomes attributes.
+// samples.V, cost.V, error.V, CryptoObject, CryptoMaterial. `provenance` becomes attributes.
 render::ExrFile exr_file(const Scene& scene, const render::Picture& picture,
                          const RenderRequest& request, const render::ColorConfig& colors,
                          const Provenance& provenance);

@@ -24,9 +24,45 @@ Status apply_adaptive(double threshold, bool samples_given, RenderSettings& sett
                            adaptive.min_samples, settings.samples)};
 }
 
+// What the renderer chooses by itself when it is asked for an accuracy.
+std::string_view chosen_by_error(const SettingOverrides& overrides) {
+  if (overrides.samples) return "--samples";
+  if (overrides.adaptive_threshold) return "--adaptive";
+  if (overrides.max_depth) return "--max-depth";
+  if (overrides.cutoff) return "--cutoff";
+  return {};
+}
+
+Status apply_max_error(const SettingOverrides& overrides, RenderSettings& settings) {
+  if (overrides.max_error && overrides.preset) {
+    return Error{ErrorCode::usage, "--preset is a --max-error by name: give one of them"};
+  }
+  const auto& asked = overrides.max_error ? overrides.max_error : overrides.preset;
+  const std::string_view other = chosen_by_error(overrides);
+  if (asked) {
+    settings.max_error = asked->error > 0 ? asked : std::nullopt;
+    if (!settings.max_error || other.empty()) return Unit{};
+    return Error{ErrorCode::usage,
+                 fmt::format("{} chooses samples, depth and cutoff by itself: leave out {}",
+                             overrides.max_error ? "--max-error" : "--preset", other)};
+  }
+  if (!settings.max_error) return Unit{};
+  // Who counts samples does not ask for an accuracy any more.
+  if (overrides.samples || overrides.adaptive_threshold) {
+    settings.max_error.reset();
+    return Unit{};
+  }
+  if (other.empty()) return Unit{};
+  return Error{ErrorCode::usage,
+               fmt::format("the scene's max_error chooses depth and cutoff by itself: with {} give "
+                           "--samples or --max-error 0, too",
+                           other)};
+}
+
 }  // namespace
 
 Status apply_overrides(const SettingOverrides& overrides, RenderSettings& settings) {
+  if (Status good = apply_max_error(overrides, settings); !good) return good;
   if (overrides.size) {
     settings.width = overrides.size->width;
     settings.height = overrides.size->height;
@@ -69,6 +105,8 @@ std::uint64_t picture_bytes(const render::PixelRect& window, const render::AovRe
   bytes_per_pixel +=
       channel * (aovs.depth + 3 * aovs.normal + 3 * aovs.position + 2 * aovs.uv + 3 * aovs.albedo +
                  aovs.samples + aovs.cost + 4 * aovs.signature + aovs.margin);
+  // Sums of all pixels from pass to pass, and what is known of their errors.
+  if (aovs.error) bytes_per_pixel += channel + 144 + 16 + 24;
   // Cryptomatte: six ranks of id and coverage, and the list that they come from.
   bytes_per_pixel += (12 * channel + 64) * (aovs.object_ids + aovs.material_ids);
   return static_cast<std::uint64_t>(window.width) * static_cast<std::uint64_t>(window.height) *

@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/accuracy_text.h"
 #include "app/cli/render_values.h"
 #include "app/cli/version.h"
 #include "core/base/hash.h"
@@ -12,6 +13,8 @@
 namespace alhazen {
 namespace {
 
+constexpr const char *kTargetKey = "target", *kTargetReached = "reached";
+
 std::string hexadecimal(std::uint64_t hash) {
   return fmt::format("{:016x}", hash);
 }
@@ -19,18 +22,20 @@ std::string hexadecimal(std::uint64_t hash) {
 nlohmann::ordered_json options(const RenderRequest& request,
                                const std::vector<parser::Define>& defines,
                                const RenderSettings& settings) {
-  nlohmann::ordered_json json = {
-      {"size", {settings.width, settings.height}},
-      {"samples", settings.samples},
-      {"max_depth", settings.max_depth},
-      {"cutoff", settings.cutoff},
-      {"filter", {{"kind", name(settings.filter.kind)}, {"radius", settings.filter.radius}}},
-      {"transparent_background", settings.transparent_background},
-      {"seed", settings.seed},
-      {"aov", aov_names(request.aovs)},
-      {"channels", request.beauty == SamplePrecision::half ? "half" : "float"},
-  };
-  if (settings.adaptive) {
+  nlohmann::ordered_json json = {{"size", {settings.width, settings.height}}};
+  if (settings.max_error) {
+    json["max_error"] = error_target_text(*settings.max_error);
+  } else {
+    json["samples"] = settings.samples;
+    json["max_depth"] = settings.max_depth;
+    json["cutoff"] = settings.cutoff;
+  }
+  json["filter"] = {{"kind", name(settings.filter.kind)}, {"radius", settings.filter.radius}};
+  json["transparent_background"] = settings.transparent_background;
+  json["seed"] = settings.seed;
+  json["aov"] = aov_names(request.aovs);
+  json["channels"] = request.beauty == SamplePrecision::half ? "half" : "float";
+  if (settings.adaptive && !settings.max_error) {
     json["adaptive"] = {{"threshold", settings.adaptive->threshold},
                         {"min_samples", settings.adaptive->min_samples}};
   }
@@ -58,8 +63,18 @@ Provenance provenance(const RenderRequest& request, const std::vector<parser::De
                         {"colorHash", hexadecimal(fnv1a_64(colors.serialize()))},
                         {"precision", std::string(name(request.precision))},
                         {"options", options(request, defines, scene.settings).dump()}};
+  // A picture that fell short is to be made again.
+  if (scene.settings.max_error) made_by.emplace_back(kTargetKey, kTargetReached);
   if (!request.preview.empty()) made_by.emplace_back("preview", preview_options(request).dump());
   return made_by;
+}
+
+void tell_accuracy(const render::AccuracyReport& report, Provenance& provenance) {
+  const nlohmann::ordered_json json = accuracy_json(report);
+  for (auto& [key, value] : provenance) {
+    if (key == kTargetKey) value = json["end"];
+  }
+  provenance.emplace_back("accuracy", json.dump());
 }
 
 bool is_made_by(const std::string& path, const Provenance& provenance) {

@@ -63,8 +63,12 @@ ExitCode run_render(const Arguments& arguments) {
   std::vector<PictureReport> reports;
   ExitCode rendered = ExitCode::done;
   for (const PictureJob& job : picture_jobs(request)) {
-    rendered = render_picture(request, job, colors.value(), reports);
-    if (rendered != ExitCode::done) break;
+    const std::size_t written_before = reports.size();
+    const ExitCode code = render_picture(request, job, colors.value(), reports);
+    if (code == ExitCode::done) continue;
+    rendered = code;
+    // A picture that fell short of its accuracy is one, and the next may not.
+    if (reports.size() == written_before) break;
   }
   // What was refused before anything was rendered writes nothing.
   if (rendered != ExitCode::done && reports.empty()) return rendered;

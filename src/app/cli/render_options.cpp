@@ -23,6 +23,7 @@ constexpr const char* kExamples =
     "  alhazen render scene.scn                      writes scene.exr to the current folder\n"
     "  alhazen render scene.scn -o a.exr --preview a.png --size 640x360 --samples 4\n"
     "  alhazen render scene.scn -D ball_ior=1.33     for `param ball_ior = 1.5` in the scene\n"
+    "  alhazen render scene.scn --max-error 1/255    as many samples as that takes\n"
     "  alhazen render turn.scn --frames 1-48 -o turn.####.exr --skip-existing\n"
     "                                                the scene says `param frame = 1`\n"
     "  alhazen render scene.scn -o - | oiiotool - -info\n"
@@ -61,7 +62,8 @@ void add_output_options(CommandLine& line, RenderRequest& request, bool& as_half
   line.value_option("--aov", "LIST", request.aovs, to_aovs,
                     "data channels: depth, normal, position, uv, albedo, object, material\n"
                     "(Cryptomatte), samples, cost; with commas between, or all; and\n"
-                    "signature and margin: what the rays decided, and how nearly");
+                    "signature and margin: what the rays decided, and how nearly; error\n"
+                    "comes with --max-error");
   line.flag("--half", as_half, "store the picture in 16 bits a channel [default]");
   line.flag("--float", as_float, "store it in 32 bits a channel");
 }
@@ -94,6 +96,12 @@ void add_quality_options(CommandLine& line, RenderRequest& request) {
                     "stop a pixel once its standard error is at most T, between 16\n"
                     "samples, or the scene's min_samples, and --samples: 1024 if neither that\n"
                     "nor an adaptive scene says how many; 0 turns it off");
+  line.value_option("--max-error", "E[@SHARE%]", settings.max_error, to_error_target,
+                    "choose samples, depth and cutoff so that the RMSE of the picture is\n"
+                    "at most E, as in 1/255, or so that this share of its pixels is off by\n"
+                    "no more, as in 1/255@99%; 0 turns a scene's max_error off");
+  line.value_option("--preset", "NAME", settings.preset, to_preset,
+                    "a --max-error by name: draft 1/64, normal 1/255, final 1/1024");
   line.value_option("--filter", "NAME[:RADIUS]", settings.filter, to_filter,
                     "box, tent, gaussian or mitchell; the radius is in pixels");
   line.value_option("--max-depth", "N", settings.max_depth, whole(0, kMaxDepth),
@@ -121,6 +129,9 @@ void add_run_options(CommandLine& line, RenderRequest& request) {
   line.begin_group("Run");
   line.value_option("--threads", "N", request.threads, whole(1, kMaxThreads),
                     "[one a core]; the picture is the same for any number");
+  line.value_option("--time-limit", "SECONDS", request.time_limit, number(0, kNoLimit),
+                    "end --max-error with what there is by then, and with code 75 if that\n"
+                    "is not good enough; 0 is no limit");
   line.value_option("--isa", "NAME", request.isa, to_isa,
                     "instruction set: auto [default], baseline, avx2 or avx512; the\n"
                     "picture is the same with any");

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "app/cli/accuracy_text.h"
 #include "app/cli/exr_output.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/load_images.h"
@@ -61,6 +62,7 @@ Result<render::RenderOutput> render_with_progress(const RenderRequest& request,
   options.threads = request.threads;
   options.isa = request.isa;
   options.aovs = request.aovs;
+  options.time_limit = request.time_limit;
   options.cancel = &interrupted();
   ProgressMeter meter(progress_style(request.progress), job.position, stderr_columns());
   const Stopwatch watch;
@@ -113,6 +115,17 @@ Status write_files(const RenderRequest& request, const PictureJob& job,
   return Unit{};
 }
 
+// What says something only where an accuracy is asked for.
+Status check_target(const RenderRequest& request, const RenderSettings& settings) {
+  if (settings.max_error) return Unit{};
+  const char* option = request.time_limit > 0 ? "--time-limit"
+                       : request.aovs.error   ? "--aov error"
+                                              : nullptr;
+  if (option == nullptr) return Unit{};
+  return Error{ErrorCode::usage,
+               fmt::format("{} goes with --max-error, --preset or a scene with max_error", option)};
+}
+
 // Everything that can be found wrong before the first ray.
 Status prepare(const RenderRequest& request, const PictureJob& job, parser::Evaluation& evaluation,
                PictureReport& report) {
@@ -125,7 +138,10 @@ Status prepare(const RenderRequest& request, const PictureJob& job, parser::Eval
   if (Status good = apply_overrides(request.settings, scene.settings); !good) return good;
   const Result<render::PixelRect> window = picture_window(request, scene.settings);
   if (!window) return window.error();
-  if (Status fits = check_memory(window.value(), request.aovs, physical_memory_bytes()); !fits) {
+  if (Status good = check_target(request, scene.settings); !good) return good;
+  render::AovRequest planes = request.aovs;
+  planes.error = scene.settings.max_error.has_value();
+  if (Status fits = check_memory(window.value(), planes, physical_memory_bytes()); !fits) {
     return fits;
   }
   if (Status good = check_writable(job.output); !good) return good;
@@ -167,7 +183,7 @@ ExitCode render_picture(const RenderRequest& request, const PictureJob& job,
   const LoadedImages images = load_images(scene, colors, image_errors);
   show_diagnostics(image_errors, loaded.sources);
   if (image_errors.error_count() > 0) return exit_code(image_errors.code());
-  const Provenance made_by = provenance(request, defines, scene, images.hash, colors);
+  Provenance made_by = provenance(request, defines, scene, images.hash, colors);
   if (request.skip_existing && is_there(job, made_by)) {
     if (!request.quiet) write_stderr(fmt::format("{}: is there already, skipped\n", job.output));
     return ExitCode::done;
@@ -177,14 +193,19 @@ ExitCode render_picture(const RenderRequest& request, const PictureJob& job,
   const auto output = render_with_progress(request, job, scene, images);
   if (!output) return report_failure(output.error());
   report.rendering = output.value().statistics;
+  report.accuracy = output.value().accuracy;
+  if (report.accuracy) tell_accuracy(*report.accuracy, made_by);
   const render::ExrFile file = exr_file(scene, output.value().picture, request, colors, made_by);
   if (const Status written = write_files(request, job, colors, file, report); !written) {
     return report_failure(written.error());
   }
   report.peak_memory_bytes = peak_memory_bytes();
   if (!request.quiet) write_stderr(statistics_text(report));
+  const auto accuracy = report.accuracy;
   reports.push_back(std::move(report));
-  return ExitCode::done;
+  if (!accuracy || accuracy->end == render::AccuracyEnd::reached) return ExitCode::done;
+  write_stderr(fmt::format("alhazen: {}\n", shortfall_text(*accuracy)));
+  return exit_code(*accuracy);
 }
 
 }  // namespace alhazen

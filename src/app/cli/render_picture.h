@@ -20,8 +20,8 @@ struct PictureJob {
   std::string output, preview;  // names with the frame number in its place
 };
 
-// Renders and writes one picture; complaints go to stderr. Adds a report, unless the picture is
-// skipped.
+// Renders and writes one picture; complaints go to stderr. Adds a report if the picture was
+// written, also when it is not as accurate as was asked for, which its code says.
 ExitCode render_picture(const RenderRequest& request, const PictureJob& job,
                         const render::ColorConfig& colors, std::vector<PictureReport>& reports);
 

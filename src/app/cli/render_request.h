@@ -26,6 +26,8 @@ struct SettingOverrides {
   std::optional<double> adaptive_threshold, cutoff;
   std::optional<ReconstructionFilter> filter;
   std::optional<std::uint64_t> seed;
+  std::optional<ErrorTarget> max_error;  // an error of 0: none, whatever the scene says
+  std::optional<ErrorTarget> preset;
 };
 
 struct RenderRequest {
@@ -41,6 +43,7 @@ struct RenderRequest {
   render::Precision precision = render::Precision::float64;
   SamplePrecision beauty = SamplePrecision::half;
   int threads = 0;
+  double time_limit = 0;           // seconds for max_error; 0: none
   std::optional<render::Isa> isa;  // empty: the widest that runs here
 
   std::string color_file, display, view;  // empty: the default

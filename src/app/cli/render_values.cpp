@@ -1,6 +1,7 @@
 #include "app/cli/render_values.h"
 
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <span>
@@ -31,14 +32,19 @@ constexpr Named<AnyIsa> kIsas[] = {{"auto", AnyIsa()},
                                    {"avx2", render::Isa::avx2},
                                    {"avx512", render::Isa::avx512}};
 static_assert(std::size(kIsas) == std::size(render::kIsaInfo) + 1);
+// What they are to look like: grain that is seen, that is looked for, and that no display of 8 bits
+// shows.
+constexpr Named<ErrorTarget> kPresets[] = {
+    {"draft", {1.0 / 64, 0}}, {"normal", {1.0 / 255, 0}}, {"final", {1.0 / 1024, 0}}};
 constexpr Named<ProgressStyle> kProgressStyles[] = {{"auto", ProgressStyle::automatic},
                                                     {"bar", ProgressStyle::bar},
                                                     {"plain", ProgressStyle::plain},
                                                     {"json", ProgressStyle::json},
                                                     {"none", ProgressStyle::none}};
-// `all` asks for those that describe the picture; the last two tell of the arithmetic behind it,
-// take time of their own, and are asked for by name.
+// `all` asks for those that describe the picture; signature and margin tell of the arithmetic
+// behind it, take time of their own, and are asked for by name, and error comes with --max-error.
 constexpr std::size_t kAovsOfAll = 9;
+constexpr double kMaxNumerator = 1e9;
 constexpr Named<bool render::AovRequest::*> kAovs[] = {
     {"depth", &render::AovRequest::depth},
     {"normal", &render::AovRequest::normal},
@@ -50,7 +56,8 @@ constexpr Named<bool render::AovRequest::*> kAovs[] = {
     {"samples", &render::AovRequest::samples},
     {"cost", &render::AovRequest::cost},
     {"signature", &render::AovRequest::signature},
-    {"margin", &render::AovRequest::margin}};
+    {"margin", &render::AovRequest::margin},
+    {"error", &render::AovRequest::error}};
 
 template <class T, std::size_t size>
 Result<T> look_up(std::string_view word, const Named<T> (&table)[size]) {
@@ -151,6 +158,51 @@ Result<ReconstructionFilter> to_filter(const std::string& text) {
   if (!radius) return Error{ErrorCode::usage, "radius in pixels: " + radius.error().message};
   filter.radius = radius.value();
   return filter;
+}
+
+Result<ErrorTarget> to_error_target(const std::string& text) {
+  const std::size_t at = text.find('@');
+  const std::string error = text.substr(0, at);
+  const std::size_t slash = error.find('/');
+  const auto value = to_number(error.substr(0, slash), 0, kMaxNumerator);
+  const auto divisor = slash == std::string::npos
+                           ? Result<double>(1.0)
+                           : to_number(error.substr(slash + 1), 1, kMaxNumerator);
+  const bool is_number = value && divisor;
+  const double quotient = is_number ? value.value() / divisor.value() : -1;
+  if (!is_number || (quotient != 0 && (quotient < kMinError || quotient > kMaxError))) {
+    return Error{ErrorCode::usage,
+                 fmt::format("expected an error from {} to {} of display white, as in 1/255 or "
+                             "0.004, or 0 for none, found `{}`",
+                             kMinError, kMaxError, text)};
+  }
+  ErrorTarget target{quotient, 0};
+  if (at == std::string::npos) return target;
+  std::string share = text.substr(at + 1);
+  const bool is_percent = share.ends_with('%');
+  if (is_percent) share.pop_back();
+  const auto percent = to_number(share, 0, 100);
+  if (!is_percent || !percent || percent.value() <= 0 || percent.value() >= 100 || quotient == 0) {
+    return Error{ErrorCode::usage,
+                 fmt::format("expected ERROR@SHARE% with a share of the pixels between 0% and "
+                             "100%, as in 1/255@99%, found `{}`",
+                             text)};
+  }
+  target.share = percent.value() / 100;
+  return target;
+}
+
+std::string error_target_text(const ErrorTarget& target) {
+  // As people write it, where it is one of a whole number.
+  const double inverse = std::round(1 / target.error);
+  const std::string error = inverse > 1 && inverse < 1e6 && target.error == 1 / inverse
+                                ? fmt::format("1/{}", inverse)
+                                : fmt::format("{}", target.error);
+  return target.share > 0 ? fmt::format("{}@{:.10g}%", error, 100 * target.share) : error;
+}
+
+Result<ErrorTarget> to_preset(const std::string& text) {
+  return look_up<ErrorTarget>(text, kPresets);
 }
 
 Result<render::Precision> to_precision(const std::string& text) {

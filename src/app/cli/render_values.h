@@ -21,8 +21,12 @@ Result<render::AovRequest> to_aovs(const std::string& text);         // depth,no
 Result<std::optional<render::Isa>> to_isa(const std::string& text);  // auto, baseline, avx2, avx512
 Result<ProgressStyle> to_progress_style(const std::string& text);    // auto, bar, plain, json, none
 
+Result<ErrorTarget> to_error_target(const std::string& text);  // 0.004, 1/255, 1/255@99%, 0
+Result<ErrorTarget> to_preset(const std::string& text);        // draft, normal, final
+
 // The names to_aovs knows of those that are asked for, in its order.
 std::vector<std::string> aov_names(const render::AovRequest& aovs);
+std::string error_target_text(const ErrorTarget& target);  // as to_error_target takes it
 std::string_view name(render::Precision precision);
 std::string_view name(FilterKind kind);
 

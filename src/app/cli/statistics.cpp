@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "app/cli/accuracy_text.h"
 #include "app/cli/quantity_text.h"
 #include "app/cli/render_values.h"
 #include "app/cli/stage_costs.h"
@@ -78,6 +79,7 @@ nlohmann::ordered_json to_json(const PictureReport& report) {
       {"non_finite_samples", report.samples.non_finite},
       {"clamped_samples", report.samples.clamped},
       {"files", files}};
+  if (report.accuracy) json["accuracy"] = accuracy_json(*report.accuracy);
   if (!report.label.empty()) json["label"] = report.label;
   return json;
 }
@@ -100,6 +102,7 @@ std::string statistics_text(const PictureReport& report) {
   }
   const double pixels = double(report.window.width) * double(report.window.height);
   text += fmt::format(", {:.3g} samples a pixel\n", double(s.samples) / pixels);
+  if (report.accuracy) text += accuracy_text(*report.accuracy);
   text += ray_lines(s) + stage_lines(s);
   text += fmt::format("  {:<22}{:>10}  ({} CPU on {} threads with {}, {} rays/s)\n", "rendered in",
                       seconds_text(s.wall_seconds), seconds_text(s.cpu_seconds), s.threads,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct PictureReport {
   render::PixelRect window;
   render::Precision precision = render::Precision::float64;
   render::RenderStatistics rendering;
+  std::optional<render::AccuracyReport> accuracy;
   render::ExrReport samples;  // that could not be written as they were
   double load_seconds = 0, write_seconds = 0;
   std::vector<WrittenFile> files;

@@ -216,6 +216,10 @@ std::string text(const RenderSettings& s) {
     adaptive = fmt::format(" adaptive {} min_samples {}", text(s.adaptive->threshold),
                            s.adaptive->min_samples);
   }
+  if (s.max_error) {
+    adaptive +=
+        fmt::format(" max_error {} share {}", text(s.max_error->error), text(s.max_error->share));
+  }
   return fmt::format(
       "size {}x{} samples {}{} depth {} cutoff {} filter {} {} transparent {} seed {}", s.width,
       s.height, s.samples, adaptive, s.max_depth, text(s.cutoff),

@@ -176,8 +176,9 @@ void call_sampling(const Scene& scene, EffectSet& set) {
     set.call(Effect::depth_of_field, scene.camera.span);
   }
   const RenderSettings& settings = scene.settings;
-  if (settings.samples > 1) set.call(Effect::antialiasing, settings.span);
-  if (settings.adaptive && settings.adaptive->min_samples < settings.samples) {
+  const bool to_target = settings.max_error.has_value();
+  if (settings.samples > 1 || to_target) set.call(Effect::antialiasing, settings.span);
+  if (to_target || (settings.adaptive && settings.adaptive->min_samples < settings.samples)) {
     set.call(Effect::adaptive_sampling, settings.span);
   }
 }

@@ -16,6 +16,28 @@ ReconstructionFilter lower_filter(const Properties& p) {
   return filter;
 }
 
+// False, with a complaint, where the block also says what is then chosen by itself.
+bool lower_max_error(Context& context, const Properties& p, RenderSettings& out) {
+  if (p.has("max_error_share") && !p.has("max_error")) {
+    context.report<DiagnosticKind::needs_other_property>(p.find("max_error_share")->name_span,
+                                                         "max_error_share", "max_error");
+    return false;
+  }
+  if (!p.has("max_error")) return true;
+  for (const char* other : {"samples", "adaptive", "min_samples", "depth", "cutoff"}) {
+    if (!p.has(other)) continue;
+    context
+        .report<DiagnosticKind::one_or_the_other>(p.find(other)->name_span, "render", "max_error",
+                                                  other)
+        .label(p.find("max_error")->name_span, "`max_error` is here")
+        .hint("`max_error` chooses samples, depth and cutoff by itself");
+    return false;
+  }
+  out.max_error = ErrorTarget{p.number("max_error"), 0};
+  if (p.has("max_error_share")) out.max_error->share = p.number("max_error_share");
+  return true;
+}
+
 }  // namespace
 
 std::optional<RenderSettings> lower_render(Context& context, const Properties& p) {
@@ -23,6 +45,7 @@ std::optional<RenderSettings> lower_render(Context& context, const Properties& p
   out.width = static_cast<int>(p.vec2("size").x);
   out.height = static_cast<int>(p.vec2("size").y);
   out.samples = static_cast<int>(p.number("samples"));
+  if (!lower_max_error(context, p, out)) return std::nullopt;
   if (p.has("min_samples") && !p.has("adaptive")) {
     context.report<DiagnosticKind::needs_other_property>(p.find("min_samples")->name_span,
                                                          "min_samples", "adaptive");

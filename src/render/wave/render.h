@@ -40,7 +40,11 @@ struct AovRequest {
   bool depth = false, normal = false, position = false, uv = false, albedo = false;
   bool object_ids = false, material_ids = false, samples = false, cost = false;
   bool signature = false, margin = false;
+  // The estimated standard error of the pixel; there with RenderSettings::max_error only, and then
+  // asked for or not.
+  bool error = false;
 
+  // Whether something is to be kept of each sample, or of the ray through the pixel's centre.
   bool any() const {
     return depth || normal || position || uv || albedo || object_ids || material_ids || samples ||
            cost || signature || margin;
@@ -61,6 +65,9 @@ struct RenderOptions {
   std::optional<Isa> isa;  // empty: the widest that runs here; no bit depends on it
   AovRequest aovs;
   const std::atomic<bool>* cancel = nullptr;  // looked at between batches
+  // Seconds after which sampling for RenderSettings::max_error ends with what there is; 0: never.
+  // Each pixel has two samples at least.
+  double time_limit = 0;
   WorkLimits limits;
 };
 
@@ -83,6 +90,7 @@ struct Picture {
   std::vector<float> samples, cost;     // camera samples; rays of all kinds
   std::vector<std::uint64_t> signature;
   std::vector<float> margin;
+  std::vector<float> error;  // of max_error: the mean's standard error
   std::vector<std::vector<Coverage>> objects, materials;
 };
 
@@ -107,9 +115,31 @@ struct RenderStatistics {
   }
 };
 
+enum class AccuracyEnd {
+  reached,
+  out_of_time,     // RenderOptions::time_limit came first
+  out_of_samples,  // pixels that need more have kMaxSamples
+  out_of_depth,    // light still comes from beyond the deepest rays that are followed
+};
+
+// What came of RenderSettings::max_error. Errors are in the target's measure: RMSE, or the share of
+// pixels that are off by more than it says.
+struct AccuracyReport {
+  ErrorTarget target;
+  AccuracyEnd end = AccuracyEnd::reached;
+  double estimate = 0;  // of the error, whatever it comes from
+  double bound = 0;     // at most this with `confidence`
+  double confidence = 0;
+  double truncation = 0;  // RMS of the light beyond max_depth and cutoff, as estimated
+  int max_depth = 0;      // that were chosen
+  double cutoff = 0;
+  int passes = 0;
+};
+
 struct RenderOutput {
   Picture picture;
   RenderStatistics statistics;
+  std::optional<AccuracyReport> accuracy;  // with RenderSettings::max_error
   StagePlan plan;
 };
 
@@ -118,7 +148,7 @@ using ProgressListener = std::function<void(std::uint64_t done, std::uint64_t to
 
 // Renders `scene` with its settings as they stand. `images` parallels Scene::images. The picture is
 // a function of scene, images, precision and crop alone: the same bits for any number of threads
-// and any instruction set.
+// and any instruction set; unless it ran out of time.
 // Errors: usage for a crop outside of the frame, unsupported for quad or an instruction set that is
 // not there, limit when memory runs out, stopped when the run was cancelled.
 Result<RenderOutput> render(const Scene& scene, const std::vector<ImagePixels>& images,

@@ -1,10 +1,10 @@
 #include "render/wave/render_precision.h"
-#include "render/wave/render_scene.h"
+#include "render/wave/render_target.h"
 
 namespace alhazen::render::ALHAZEN_ISA_NAME {
 
 Result<RenderOutput> render_in_float(const RenderJob& job) {
-  return render_scene<float>(job);
+  return render_in_one_type<float>(job);
 }
 
 }  // namespace alhazen::render::ALHAZEN_ISA_NAME

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <chrono>
-#include <ctime>
 #include <exception>
 #include <mutex>
 #include <system_error>
 #include <thread>
 
 #include "core/base/parallel.h"
+#include "render/wave/crew.h"
 #include "render/wave/tile_render.h"
 
 namespace alhazen::render {
@@ -23,12 +23,6 @@ struct RenderJob {
   PixelRect window;
   const ProgressListener& progress;
 };
-
-inline double thread_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // Cuts the window into tiles of `size` x `size` pixels, those of its last quarter into smaller ones
 // so that the workers end together.
@@ -88,6 +82,17 @@ inline void add_figures(const WaveCounters& from, const StagePlan& plan, double 
   });
 }
 
+// Of a worker that has done its part: `elapsed` seconds, `cpu` of them on a core.
+template <class Real>
+void add_figures(const TileRenderer<Real>& renderer, const StagePlan& plan, double cpu,
+                 double elapsed, RenderStatistics& to) {
+  add_figures(renderer.counters(), plan, elapsed > 0 ? cpu / elapsed : 1, to);
+  to.samples += renderer.samples();
+  to.camera_rays += renderer.center_rays();
+  to.dropped_weight_max = std::max(to.dropped_weight_max, renderer.largest_dropped_weight());
+  to.cpu_seconds += cpu;
+}
+
 template <class Real>
 void work(const TileJob<Real>& job, const RenderJob& whole, TileQueue& queue, Picture& picture,
           RenderStatistics& statistics) {
@@ -111,12 +116,7 @@ void work(const TileJob<Real>& job, const RenderJob& whole, TileQueue& queue, Pi
   const double cpu = thread_cpu_seconds() - cpu_before;
   const double elapsed = stopwatch.lap();
   const std::lock_guard lock(queue.mutex);
-  add_figures(renderer.counters(), job.plan, elapsed > 0 ? cpu / elapsed : 1, statistics);
-  statistics.samples += renderer.samples();
-  statistics.camera_rays += renderer.center_rays();
-  statistics.dropped_weight_max =
-      std::max(statistics.dropped_weight_max, renderer.largest_dropped_weight());
-  statistics.cpu_seconds += cpu;
+  add_figures(renderer, job.plan, cpu, elapsed, statistics);
 }
 
 inline void make_planes(PixelRect window, const AovRequest& aovs, Picture& picture) {
@@ -136,6 +136,7 @@ inline void make_planes(PixelRect window, const AovRequest& aovs, Picture& pictu
   plane(aovs.samples, picture.samples, 1);
   plane(aovs.cost, picture.cost, 1);
   plane(aovs.margin, picture.margin, 1);
+  plane(aovs.error, picture.error, 1);
   if (aovs.signature) picture.signature.resize(pixels);
   if (aovs.object_ids) picture.objects.resize(pixels);
   if (aovs.material_ids) picture.materials.resize(pixels);

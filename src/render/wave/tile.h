@@ -3,11 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
+#include "render/film/error_control.h"
 #include "render/film/pixel_accumulator.h"
 #include "render/wave/center_ray.h"
 #include "render/wave/coverage.h"
+#include "render/wave/deadline.h"
 #include "render/wave/integrate.h"
 
 namespace alhazen::render {
@@ -24,7 +27,30 @@ struct TileJob {
 
 template <class Real>
 class TileRenderer {
+ private:
+  struct Pixel {
+    std::int32_t x, y;
+    std::uint32_t taken = 0, wanted = 0;
+  };
+  using Accumulator = PixelAccumulator<4>;  // of radiance and alpha
+  // Of each pixel, if there are data channels at all.
+  struct PixelData {
+    RunningMoments<3> albedo;
+    std::uint64_t rays = 0;
+    std::uint64_t signature = 0;  // a sum: the order of samples does not matter
+    float margin = 1;
+    CoverageCounter objects, materials;
+  };
+
  public:
+  // A tile's samples so far, between the passes over a picture.
+  class Kept {
+    friend TileRenderer;
+    std::vector<Pixel> pixels_;
+    std::vector<Accumulator> sums_;
+    std::vector<PixelData> data_;
+  };
+
   explicit TileRenderer(const TileJob<Real>& job)
       : job_(job),
         batch_samples_(batch_samples(job)),
@@ -40,6 +66,19 @@ class TileRenderer {
   // Renders `tile`, a part of `picture.window`, into the picture. False when the run was cancelled.
   bool render(PixelRect tile, Picture& picture);
 
+  // One pass: gives each pixel what `control` wants it to have and tells what that has changed.
+  // False when the run was cancelled or the time was up; `kept` then has what was finished.
+  bool add_samples(PixelRect tile, const Deadline& deadline, PixelRect window,
+                   ErrorControl& control, Kept& kept);
+  void finish(Kept& kept, Picture& picture);
+
+  // The radiance of the first sample of each of these pixels; not a part of any picture. False when
+  // the run was cancelled.
+  struct Place {
+    std::int32_t x, y;
+  };
+  bool probe(std::span<const Place> places, std::span<std::array<double, 4>> radiance);
+
   const WaveCounters& counters() const { return integrator_.wave().counters; }
   std::uint64_t samples() const { return samples_; }
   // Rays through the centres of pixels, for data channels.
@@ -47,26 +86,22 @@ class TileRenderer {
   double largest_dropped_weight() const { return largest_dropped_weight_; }
 
  private:
-  struct Pixel {
-    std::int32_t x, y;
-    std::uint32_t taken = 0, wanted = 0;
-  };
-  using Accumulator = PixelAccumulator<4>;  // of radiance and alpha
-  // Of each pixel, if there are data channels at all.
-  struct PixelData {
-    RunningMoments<3> albedo;
-    std::uint64_t rays = 0;
-    std::uint64_t signature = 0;  // a sum: the order of samples does not matter
-    float margin = 1;
-    CoverageCounter objects, materials;
-  };
   // The samples [first, first + count) of a pixel.
   struct SampleRange {
     std::size_t pixel;
     std::uint32_t first, count;
   };
 
+  // A pixel that gets samples in a pass: its means before and half way.
+  using Value = typename Accumulator::Value;
+  struct Wanting {
+    std::size_t pixel;
+    std::uint32_t wanted;
+    Value before, middle;
+  };
+
   void start(PixelRect tile);
+  void list_pixels(PixelRect tile, std::uint32_t samples);
   bool run_wanted();
   bool run_batch(const std::vector<SampleRange>& spans);
   void collect(const std::vector<SampleRange>& spans);
@@ -74,6 +109,7 @@ class TileRenderer {
   bool want_more();
   bool find_wanting();
   void finish(Picture& picture);
+  void swap_with(Kept& kept);
   void finish_data(const Pixel& pixel, const PixelData& data, std::size_t p, Picture& picture);
 
   // Camera samples followed at once: fewer where each of them asks many samples of the lights.
@@ -96,6 +132,8 @@ class TileRenderer {
   std::vector<Accumulator> sums_;
   std::vector<PixelData> data_;     // parallel to pixels_, or empty
   std::vector<SampleRange> spans_;  // of the batch
+  std::vector<Wanting> wanting_;
+  Deadline deadline_;
   std::uint64_t samples_ = 0, center_rays_ = 0;
   double largest_dropped_weight_ = 0;
 };

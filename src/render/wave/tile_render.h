@@ -20,7 +20,17 @@ bool TileRenderer<Real>::render(PixelRect tile, Picture& picture) {
 template <class Real>
 void TileRenderer<Real>::start(PixelRect tile) {
   const bool adaptive = job_.plan.runs(StageId::adaptive_rounds);
-  const int first = adaptive ? job_.settings.adaptive->min_samples : job_.settings.samples;
+  list_pixels(tile, static_cast<std::uint32_t>(adaptive ? job_.settings.adaptive->min_samples
+                                                        : job_.settings.samples));
+  const bool is_single = job_.settings.samples == 1;
+  single_.resize(is_single ? pixels_.size() : 0);
+  sums_.assign(is_single ? 0 : pixels_.size(), {});
+  data_.clear();
+  if (job_.options.aovs.any()) data_.resize(pixels_.size());
+}
+
+template <class Real>
+void TileRenderer<Real>::list_pixels(PixelRect tile, std::uint32_t samples) {
   // In small blocks: rays that stand side by side in the queues go nearly the same way.
   constexpr int kBlock = 4;
   const int right = tile.x + tile.width, bottom = tile.y + tile.height;
@@ -29,15 +39,10 @@ void TileRenderer<Real>::start(PixelRect tile) {
     for (int left = tile.x; left < right; left += kBlock) {
       for (int y = top; y < std::min(top + kBlock, bottom); ++y) {
         for (int x = left; x < std::min(left + kBlock, right); ++x)
-          pixels_.push_back({x, y, 0, static_cast<std::uint32_t>(first)});
+          pixels_.push_back({x, y, 0, samples});
       }
     }
   }
-  const bool is_single = job_.settings.samples == 1;
-  single_.resize(is_single ? pixels_.size() : 0);
-  sums_.assign(is_single ? 0 : pixels_.size(), {});
-  data_.clear();
-  if (job_.options.aovs.any()) data_.resize(pixels_.size());
 }
 
 // Runs batches until every pixel has the samples it wants.
@@ -46,7 +51,7 @@ bool TileRenderer<Real>::run_wanted() {
   spans_.clear();
   std::size_t size = 0;
   const auto flush = [&] {
-    const bool done = size == 0 || run_batch(spans_);
+    const bool done = size == 0 || (!deadline_.is_past() && run_batch(spans_));
     spans_.clear();
     size = 0;
     return done;

@@ -28,6 +28,16 @@ constexpr PropertySpec kRender[] = {
      .types = kNumber,
      .range = integers(2, kMaxSamples),
      .doc = "before `adaptive` may stop a pixel, less than `samples`; 16 if not given"},
+    {.name = "max_error",
+     .types = kNumber,
+     .range = between(kMinError, kMaxError),
+     .doc = "take samples, and follow rays, until the RMSE of the picture is at most this, as in "
+            "`1/255`; in the place of samples, adaptive, depth and cutoff"},
+    {.name = "max_error_share",
+     .types = kNumber,
+     .range = strictly_between(0, 1),
+     .doc = "until this share of the pixels is off by `max_error` at most, instead of the RMSE; "
+            "0.99 is 99%"},
     {.name = "depth",
      .types = kNumber,
      .range = integers(0, kMaxDepth),

@@ -47,6 +47,33 @@ TEST(Overrides, AdaptiveKeepsTheScenesMinimumAndZeroTurnsItOff) {
   EXPECT_FALSE(settings.adaptive);
 }
 
+TEST(Overrides, AnErrorTakesThePlaceOfSamplesAndSamplesThatOfAnError) {
+  RenderSettings settings;
+  SettingOverrides overrides;
+  overrides.preset = ErrorTarget{1.0 / 64, 0};
+  ASSERT_TRUE(apply_overrides(overrides, settings));
+  EXPECT_EQ(settings.max_error->error, 1.0 / 64);
+
+  SettingOverrides samples;
+  samples.samples = 4;
+  RenderSettings counted = settings;
+  ASSERT_TRUE(apply_overrides(samples, counted));
+  EXPECT_FALSE(counted.max_error);
+  EXPECT_EQ(counted.samples, 4);
+
+  SettingOverrides depth;
+  depth.max_depth = 4;
+  RenderSettings unsure = settings;
+  EXPECT_FALSE(apply_overrides(depth, unsure)) << "what chooses the depth is not told";
+
+  SettingOverrides none;
+  none.max_error = ErrorTarget{0, 0};
+  none.max_depth = 4;
+  ASSERT_TRUE(apply_overrides(none, settings));
+  EXPECT_FALSE(settings.max_error);
+  EXPECT_EQ(settings.max_depth, 4);
+}
+
 TEST(Overrides, AdaptiveHasRoomUnlessToldOtherwise) {
   SettingOverrides overrides;
   overrides.adaptive_threshold = 0.5;

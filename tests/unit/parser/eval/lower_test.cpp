@@ -128,6 +128,10 @@ TEST(Settings, AdaptiveSamplingHasRoomUnlessToldOtherwise) {
   EXPECT_EQ(settings_of("render { size <8, 8> }").samples, 16);
   EXPECT_EQ(settings_of("render { adaptive 0.01 }").samples, kAdaptiveSamples);
   EXPECT_EQ(settings_of("render { adaptive 0.01  samples 17 }").samples, 17);
+  EXPECT_FALSE(settings_of("render { size <8, 8> }").max_error);
+  EXPECT_EQ(settings_of("render { max_error 1/255 }").max_error->error, 1.0 / 255);
+  EXPECT_EQ(settings_of("render { max_error 1/255 }").max_error->share, 0);
+  EXPECT_EQ(settings_of("render { max_error 0.1  max_error_share 0.99 }").max_error->share, 0.99);
 }
 
 TEST(Names, SayThePathOfGroups) {
