@@ -125,9 +125,8 @@ void ErrorControl::record(std::size_t p, const PixelChange& change) {
 // the variance V of a block's mean, outer^2 is V(n) - V(2n) on average and inner^2 is
 // V(n/2) - V(n). Where V falls by the same factor each time, it is the ratio of the two.
 void ErrorControl::settle() {
-  // At random samples' rate at least; at the n^(-3/2) of edges that are stratified at most,
-  // although what is smooth falls faster.
-  // 3/2 are 2.83, but nothing is edges only.
+  // At random samples' rate at least. Stratified edges fall as n^(-3/2), by 2.83, and what is
+  // smooth faster still, but not all that is in a picture does.
   constexpr double kSlowest = 2, kFastest = 2.5;
   double outer = 0, inner = 0, squares = 0;
   for (std::size_t p = 0; p < pixel_count(); ++p) {
@@ -158,8 +157,7 @@ void ErrorControl::plan_next() {
   if (fewest >= 2) {
     add_up();
     // Of what is small, half as many samples as all pixels are to have may show nothing at all.
-    reached_ =
-        2 * fewest >= first_samples_ && estimate_.bound <= loss_.value(loss_.goal());
+    reached_ = 2 * fewest >= first_samples_ && estimate_.bound <= loss_.value(loss_.goal());
     if (reached_) {
       wanted_ = taken_;
       return;
@@ -259,7 +257,16 @@ void ErrorControl::choose() {
     if (by_lot) lots_[static_cast<std::size_t>(level)].draw(p, class_at[p], own_[p]);
     wanted_[p] = is_chosen || by_lot ? 2 * taken_[p] : taken_[p];
   }
-  if (!has_next_) wanted_ = taken_;
+  if (!has_next_) choose_all();
+}
+
+// All that is not known exactly, if no choice is left by class.
+void ErrorControl::choose_all() {
+  for (std::size_t p = 0; p < pixel_count(); ++p) {
+    const bool may_grow = variance_[p] > 0 && taken_[p] < kMaxSamples;
+    wanted_[p] = may_grow ? 2 * taken_[p] : taken_[p];
+    has_next_ = has_next_ || may_grow;
+  }
 }
 
 // Where pixels are counted, some that are chosen by class are good enough already.

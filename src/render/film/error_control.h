@@ -69,6 +69,7 @@ class ErrorControl {
   void smooth_variances();
   void add_up();
   void choose();
+  void choose_all();
   bool is_worth_it(double variance) const;
   bool wins(std::size_t p, int level) const;
 

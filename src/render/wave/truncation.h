@@ -70,7 +70,7 @@ class TruncationLadder {
   double cutoff(int rung) const { return std::ldexp(target_.error, -2 * rung); }
 
   void set(World<Real>& world, int rung) const {
-    world.max_depth = static_cast<std::uint32_t>(depth(rung));
+    world.max_depth = depth(rung);
     world.cutoff = static_cast<Real>(cutoff(rung));
   }
 
