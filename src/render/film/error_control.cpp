@@ -86,13 +86,12 @@ int threshold_of_pixels(const std::vector<PriorityClass>& classes, double goal) 
   return threshold;
 }
 
-// Few samples miss what is small: an edge that cuts off a corner of a pixel by a share a is not
-// seen by most of n < 1 / a samples, and if it is between black and white the pixel is then off by
-// a. A small target cannot leave that to chance. The RMSE of a picture with edges in some per cent
-// of the pixels is near 0.2 n^-3/4 of those pixels; this is well below what they will take.
+// n samples do not see what covers less than 1 / n of a pixel. Missed in one pixel of a thousand,
+// and as bright as white, it makes an RMSE of 1 / (n sqrt(1000)): that much is left to chance and
+// to the lots, up to 16 samples, beyond which the lots have to do.
 std::uint32_t first_samples(double error) {
   std::uint32_t samples = 2;
-  while (samples < 16 && 4.0 * samples * samples * error < 1)
+  while (samples < 16 && 32 * samples * error < 1)
     samples *= 2;
   return samples;
 }
@@ -156,7 +155,7 @@ void ErrorControl::plan_next() {
   settle();
   if (fewest >= 2) {
     add_up();
-    // Of what is small, half as many samples as all pixels are to have may show nothing at all.
+    // Half of them may be enough for what shows nothing at all.
     reached_ = 2 * fewest >= first_samples_ && estimate_.bound <= loss_.value(loss_.goal());
     if (reached_) {
       wanted_ = taken_;

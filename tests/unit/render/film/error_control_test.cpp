@@ -87,7 +87,7 @@ Picture specks() {
   return {.area = [](std::size_t p) { return mix_64(5, p) % 200 == 0 ? 0.1 : 0; }};
 }
 
-// A target of 1/255 wants eight samples first, and believes four that show nothing.
+// A target of 1/255 believes four samples that show nothing.
 TEST(ErrorControl, APictureWithoutNoiseIsKnownFromFewSamples) {
   const Outcome outcome = sampled({.area = [](std::size_t) { return 1.0; }}, {1.0 / 255, 0}, 1);
   EXPECT_TRUE(outcome.reached);
