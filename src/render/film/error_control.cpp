@@ -86,12 +86,12 @@ int threshold_of_pixels(const std::vector<PriorityClass>& classes, double goal) 
   return threshold;
 }
 
-// n samples do not see what covers less than 1 / n of a pixel. Missed in one pixel of a thousand,
-// and as bright as white, it makes an RMSE of 1 / (n sqrt(1000)): that much is left to chance and
-// to the lots, up to 16 samples, beyond which the lots have to do.
+// n samples do not see what covers less than 1 / n of a pixel. Missed in one pixel of 1600, and as
+// bright as white, it makes an RMSE of 1 / (40 n): that much is left to chance and to the lots, up
+// to 16 samples, beyond which the lots have to do.
 std::uint32_t first_samples(double error) {
   std::uint32_t samples = 2;
-  while (samples < 16 && 32 * samples * error < 1)
+  while (samples < 16 && 40 * samples * error < 1)
     samples *= 2;
   return samples;
 }
