@@ -1,5 +1,6 @@
 #include "app/cli/accuracy_text.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -25,6 +26,12 @@ std::string_view name(AccuracyEnd end) {
   return "out of depth";
 }
 
+// What depth and cutoff leave out.
+std::string beyond_text(const AccuracyReport& report) {
+  return std::isfinite(report.truncation) ? fmt::format("RMS {:.2g}", report.truncation)
+                                          : "more than there is so far";
+}
+
 // "RMSE 0.0038", "1.2% of the pixels off by more than 1/255".
 std::string error_text(const AccuracyReport& report, double error) {
   if (report.target.share == 0) return fmt::format("RMSE {:.3g}", error);
@@ -35,14 +42,18 @@ std::string error_text(const AccuracyReport& report, double error) {
 }  // namespace
 
 std::string accuracy_text(const AccuracyReport& report) {
-  std::string text = fmt::format("  {:<22}{}, at most {:.3g}{} with {:.0f}% confidence\n",
-                                 "estimated error", error_text(report, report.estimate),
-                                 report.target.share > 0 ? 100 * report.bound : report.bound,
-                                 report.target.share > 0 ? "%" : "", 100 * report.confidence);
-  text +=
-      fmt::format("  {:<22}{} passes, depth {}, cutoff {:.2g}; light beyond those: RMS {:.2g}\n",
-                  "", report.passes, report.max_depth, report.cutoff, report.truncation);
-  return text;
+  std::string text;
+  if (std::isfinite(report.bound)) {
+    const bool counts = report.target.share > 0;
+    text =
+        fmt::format("  {:<22}{}, at most {:.3g}{} with {:.0f}% confidence\n", "estimated error",
+                    error_text(report, report.estimate), counts ? 100 * report.bound : report.bound,
+                    counts ? "%" : "", 100 * report.confidence);
+  } else {
+    text = fmt::format("  {:<22}has no bound\n", "estimated error");
+  }
+  return text + fmt::format("  {:<22}{} passes, depth {}, cutoff {:.2g}; light beyond: {}\n", "",
+                            report.passes, report.max_depth, report.cutoff, beyond_text(report));
 }
 
 std::string shortfall_text(const AccuracyReport& report) {
@@ -63,9 +74,8 @@ std::string shortfall_text(const AccuracyReport& report) {
           target, kMaxSamples, got);
     case AccuracyEnd::out_of_depth:
       return fmt::format(
-          "--max-error {} was not reached: light still comes from more than {} "
-          "reflections deep, RMS {:.2g} as far as can be told",
-          target, report.max_depth, report.truncation);
+          "--max-error {} was not reached: light still comes from beyond {} reflections: {}",
+          target, report.max_depth, beyond_text(report));
   }
   return {};
 }
