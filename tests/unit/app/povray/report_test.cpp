@@ -22,7 +22,7 @@ CheckOutcome outcome(const std::string& name, bool passes, const std::string& te
   check.scene_text = text;
   check.ours = render::FloatBuffer(4, 3, {"R", "G", "B"});
   check.deviation_texts = {"not exact " + text};
-  Witness witness{"exported", text, check.ours, {1.5, 0.75, 0.25, ""}, {}};
+  Witness witness{"exported", text, check.ours, {1.5, 0.75, 0.25, 0.25, ""}, {}};
   witness.verdict.passes = passes;
   witness.verdict.sentence = "as it is " + text;
   witness.verdict.channels = 36;
