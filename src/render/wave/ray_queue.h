@@ -35,21 +35,6 @@ class RayQueue {
     source.clear();
   }
 
-  void push(const Ray<Real>& ray, const Source& from, Rgb<Real> w, SlotId s, MediumId m,
-            std::uint64_t p, std::uint32_t d, std::uint32_t straight_through = 0) {
-    if (size_ == slot.room()) make_room(size_ + 1);
-    const std::size_t i = size_++;
-    origin.set(i, ray.origin);
-    direction.set(i, ray.direction);
-    source.set(i, from);
-    weight.set(i, w);
-    slot[i] = s;
-    medium[i] = m;
-    path[i] = p;
-    depth[i] = d;
-    passed[i] = straight_through;
-  }
-
   // Makes the queue `count` rays long; the new ones are for the caller to set.
   void grow(std::size_t count) {
     make_room(count);

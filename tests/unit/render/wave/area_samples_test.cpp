@@ -5,6 +5,7 @@
 
 #include "render/simd/elementary.h"
 #include "support/scene_builder.h"
+#include "unit/render/wave/push_ray.h"
 
 namespace alhazen::render {
 namespace {
@@ -34,7 +35,8 @@ void fill(Wave<Real>& wave) {
   wave.slots.resize(kHits, {});
   for (std::size_t i = 0; i < kHits; ++i) {
     wave.slots.sample[i] = static_cast<std::uint32_t>(i);
-    wave.rays.push({}, {}, Rgb<Real>(Real(1)), static_cast<SlotId>(i), kVacuum, mix_64(i, 5), 0);
+    push_ray(wave.rays,
+             {.weight = Rgb<Real>(Real(1)), .slot = static_cast<SlotId>(i), .path = mix_64(i, 5)});
   }
   wave.hits.make_room(kHits);
   for (std::size_t h = 0; h < kHits; ++h) {

@@ -37,6 +37,34 @@ TEST(MediumPool, SameSituationHasSameId) {
   EXPECT_EQ(pool.leave(pool.leave(a, 0), 1), kVacuum);
 }
 
+// Lanes rely on it where nothing is nested.
+TEST(MediumPool, ListOfOneMaterialHasItsNumber) {
+  MediumPool pool(3);
+  for (const MaterialId material : {0u, 1u, 2u}) {
+    EXPECT_EQ(pool.enter(kVacuum, material), static_cast<MediumId>(material));
+    EXPECT_TRUE(pool.is_single(pool.enter(kVacuum, material)));
+    EXPECT_EQ(pool.current(static_cast<MediumId>(material), {0, 0, 0}), material);
+  }
+  EXPECT_TRUE(pool.is_single(kVacuum));
+  EXPECT_FALSE(pool.is_single(pool.enter(1, 2)));
+  EXPECT_FALSE(pool.is_single(pool.enter(1, 1)));
+}
+
+// Thousands of lists are dropped, few are kept; either way they are found again.
+TEST(MediumPool, ForgetsWhatHasBecomeMuch) {
+  MediumPool pool(100);
+  for (int round = 0; round < 3; ++round) {
+    for (MaterialId a = 0; a < 100; ++a) {
+      for (MaterialId b = 0; b < 100; ++b) {
+        const MediumId both = pool.enter(pool.enter(kVacuum, a), b);
+        ASSERT_EQ(pool.leave(both, b), static_cast<MediumId>(a));
+        ASSERT_TRUE(pool.contains(both, a));
+      }
+    }
+    pool.forget_much();
+  }
+}
+
 TEST(MediumPool, OneMaterialEnteredTwiceIsLeftTwice) {
   MediumPool pool(8);
   const MediumId twice = pool.enter(pool.enter(kVacuum, 7), 7);

@@ -4,14 +4,21 @@
 
 #include "render/wave/hit_queue.h"
 #include "render/wave/waiting_rays.h"
+#include "unit/render/wave/push_ray.h"
 
 namespace alhazen::render {
 namespace {
 
 void push(RayQueue<double>& rays, SlotId slot, std::uint64_t name, const Source& source = {}) {
   const double x = static_cast<double>(name);
-  rays.push({{x, x + 0.25, x + 0.5}, {-x, 1, x}}, source, Rgb<double>(x, 2 * x, 3 * x), slot,
-            static_cast<MediumId>(name + 1), name, 5, 6);
+  push_ray(rays, {{{x, x + 0.25, x + 0.5}, {-x, 1, x}},
+                  source,
+                  Rgb<double>(x, 2 * x, 3 * x),
+                  slot,
+                  static_cast<MediumId>(name + 1),
+                  name,
+                  5,
+                  6});
 }
 
 Source corner(int k) {
@@ -19,6 +26,22 @@ Source corner(int k) {
   source.remember({3, k, Side::kBelow});
   source.remember({4, k, Side::kAbove});
   return source;
+}
+
+// As children of one kind move up to those of another.
+TEST(RayQueue, ClosesGaps) {
+  RayQueue<double> rays;
+  for (int k = 0; k < 40; ++k)
+    push(rays, static_cast<SlotId>(k), static_cast<std::uint64_t>(k), corner(k));
+  rays.close_gap(10, 25, 12);  // the new place and the old one overlap
+  ASSERT_EQ(rays.size(), 22u);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const std::size_t was = i < 10 ? i : i + 15;
+    EXPECT_EQ(rays.ray(i).origin.x, static_cast<double>(was));
+    EXPECT_EQ(rays.path[i], was);
+    EXPECT_EQ(rays.slot[i], static_cast<std::int64_t>(was));
+    EXPECT_EQ(rays.source[i].earlier[1].face, static_cast<int>(was));
+  }
 }
 
 TEST(RayQueue, GivesBackWhatWasPutIn) {
@@ -31,7 +54,7 @@ TEST(RayQueue, GivesBackWhatWasPutIn) {
     EXPECT_EQ(rays.ray(i).origin, Vec3d(x, x + 0.25, x + 0.5));
     EXPECT_EQ(rays.direction[i], Vec3d(-x, 1, x));
     EXPECT_EQ(rays.weight[i], Rgbd(x, 2 * x, 3 * x));
-    EXPECT_EQ(rays.medium[i], i + 1);
+    EXPECT_EQ(rays.medium[i], static_cast<MediumId>(i + 1));
     const Source expected = i % 3 == 0 ? corner(static_cast<int>(i)) : Source();
     const Source source = rays.source[i];
     EXPECT_EQ(source.shape, expected.shape);
@@ -50,7 +73,7 @@ TEST(RayQueue, KeepsItsMemory) {
   RayQueue<float> rays;
   const auto fill = [&rays] {
     for (int k = 0; k < 500; ++k)
-      rays.push({}, {}, {}, 0, 0, 0, 0);
+      push_ray(rays, {});
   };
   fill();
   const float* const place = rays.origin.x.data();
