@@ -15,6 +15,7 @@
 #include "app/cli/scene_with_images.h"
 #include "app/cli/streams.h"
 #include "app/cli/study_options.h"
+#include "app/study/number_text.h"
 #include "app/study/report_data.h"
 #include "app/study/report_page.h"
 #include "core/base/file.h"
@@ -112,8 +113,13 @@ class StudyRunner {
     if (const auto space = colors_.working_chromaticities()) look.rec709 = rec709_from(*space);
     const StudyInput studied{name, scene,        input.images, input.loaded.sources,
                              look, view.value(), own.width,    own.height};
+    const double seconds = seconds_for(index);
+    if (request_.progress != ProgressStyle::none) {
+      write_stderr(fmt::format("{}: {} x {} pixels, about {}\n", name, size.width, size.height,
+                               duration_text(seconds)));
+    }
     StudyProgress progress(request_.progress, {name, index, request_.scenes.size()});
-    auto result = study_scene(studied, study_options(seconds_for(index)),
+    auto result = study_scene(studied, study_options(seconds),
                               [&](const std::string&, double share) { progress.show(share); });
     progress.clear();
     if (!result && interrupted()) {

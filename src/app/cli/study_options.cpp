@@ -54,7 +54,7 @@ std::optional<ExitCode> read_study_options(const Arguments& arguments, StudyRequ
   line.value_option("--runs", "N", request.runs, whole(1, kMostRuns),
                     "how often each setting is timed, in turn [3]");
   line.value_option("--threads", "N", request.threads, whole(1, kMaxThreads),
-                    "of each rendering [1]");
+                    "of each rendering that is timed; the converged pictures take one a\ncore [1]");
   line.value_option("--isa", "NAME", request.isa, to_isa,
                     "instructions: auto, baseline, avx2 or avx512; the same bits with each [auto]");
   line.flag("--povray", request.with_povray,

@@ -51,7 +51,7 @@ double average_samples(const RenderSettings& settings) {
 TimeShares time_shares(bool with_povray) {
   TimeShares shares;
   if (!with_povray) return shares;
-  shares.povray = 0.25;
+  shares.povray = 0.2;
   for (double* share : {&shares.references, &shares.rounding, &shares.sweep})
     *share *= 1 - shares.povray;
   return shares;
@@ -103,7 +103,7 @@ BudgetChoice within_reference(std::span<const StudySetting> settings, int refere
   for (const StudySetting& setting : settings) {
     const RenderSettings& s = setting.settings;
     kept.push_back(setting.is_scene || s.adaptive ||
-                   4 * std::int64_t{s.samples} <= reference_samples);
+                   kReferenceSamplesATime * s.samples <= reference_samples);
   }
   const auto why = [&](const std::vector<std::size_t>&) {
     return fmt::format("too near to the reference's {} samples to be measured against it",

@@ -9,6 +9,7 @@
 #include "app/study/number_text.h"
 #include "app/study/povray_sweep.h"
 #include "app/study/truncation_ladder.h"
+#include "core/base/parallel.h"
 #include "render/film/filter.h"
 #include "render/wave/plan.h"
 
@@ -17,11 +18,12 @@ namespace {
 
 constexpr int kPilotSamples = 4;
 constexpr int kFewestReferenceSamples = 64, kMostReferenceSamples = 1 << 20;
+constexpr int kFewestFilterReferenceSamples = 256;
 // Of the time for references: the rest is shared by the other filters'.
 constexpr double kMainReferenceShare = 0.7;
 
 int power_of_two_below(double value) {
-  return 1 << static_cast<int>(std::floor(std::log2(std::max(1.0, value))));
+  return 1 << static_cast<int>(std::floor(std::log2(std::clamp(value, 1.0, 1e9))));
 }
 
 class SceneStudying {
@@ -48,8 +50,12 @@ class SceneStudying {
  private:
   // Time is counted as a machine that does nothing else would take it.
   double elapsed() const {
-    return (process_cpu_seconds() - started_) / options_.threads + povray_seconds_;
+    const double timed = process_cpu_seconds() - started_ - converging_cpu_seconds_;
+    return timed / options_.threads + converging_cpu_seconds_ / converging_threads() +
+           povray_seconds_;
   }
+  // The converged pictures are not timed: they take all cores.
+  static int converging_threads() { return thread_count(0); }
   double seconds_of(const TimedRender& render) const {
     return render.cpu_seconds / options_.threads;
   }
@@ -128,10 +134,17 @@ class SceneStudying {
     return setting;
   }
 
+  // How many of the reference's depth and cutoff fit into the time; a power of two.
+  int reference_samples(double seconds) const {
+    const double a_sample = truncation_.seconds * options_.threads / kPilotSamples;
+    return power_of_two_below(seconds * converging_threads() / std::max(a_sample, 1e-7));
+  }
+
   Result<Reference> reference_of(const ReconstructionFilter& filter, double seconds) {
-    const double a_sample = truncation_.seconds / kPilotSamples;
-    const int half = std::clamp(power_of_two_below(seconds / 2 / std::max(a_sample, 1e-7)),
-                                kFewestReferenceSamples / 2, kMostReferenceSamples / 2);
+    const int half = std::clamp(reference_samples(seconds) / 2, kFewestReferenceSamples / 2,
+                                kMostReferenceSamples / 2);
+    RenderRun converging = run_;
+    converging.threads = converging_threads();
     StudySetting setting = at_rung(fixed(half), truncation_.rung);
     setting.settings.filter = filter;
     RgbPicture halves[2];
@@ -139,8 +152,9 @@ class SceneStudying {
       say(fmt::format("the converged picture, {}, {} samples, half {} of 2",
                       setting_name(filter.kind), half, k + 1));
       setting.settings.seed = half_seed(input_.scene.settings.seed, k);
-      auto made = timed_render(run_, setting);
+      auto made = timed_render(converging, setting);
       if (!made) return made.error();
+      converging_cpu_seconds_ += made.value().cpu_seconds;
       halves[k] = std::move(made.value().picture);
     }
     Reference reference{mean_of(halves[0], halves[1]), setting.settings,
@@ -164,7 +178,19 @@ class SceneStudying {
     study_.left_out.insert(study_.left_out.end(), more.begin(), more.end());
   }
 
+  // Each of the three other filters needs a reference; one of fewer samples than this shows
+  // nothing.
+  void leave_out_filters_without_time() {
+    const double seconds = options_.seconds * shares_.references * (1 - kMainReferenceShare) / 3;
+    if (reference_samples(seconds) >= kFewestFilterReferenceSamples) return;
+    const auto is_of_filter = [](const StudySetting& s) { return s.knob == Knob::filter; };
+    std::erase_if(plan_.settings, is_of_filter);
+    study_.left_out.push_back(
+        {"filter", "the time does not suffice for a converged picture with each of them"});
+  }
+
   Status choose() {
+    leave_out_filters_without_time();
     BudgetChoice near = within_reference(plan_.settings, study_.reference.samples);
     leave_out(near.left_out);
     chosen_ = choose_for_budget(near.kept, cost_, options_.runs, options_.seconds * shares_.sweep);
@@ -282,7 +308,7 @@ class SceneStudying {
   ThumbnailWindow window_;
   SceneStudy study_;
   double expected_ = 0;
-  double povray_seconds_ = 0;
+  double povray_seconds_ = 0, converging_cpu_seconds_ = 0;
   double started_ = process_cpu_seconds();
 };
 

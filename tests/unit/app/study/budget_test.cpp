@@ -77,10 +77,10 @@ TEST(Budget, SharesAreAWhole) {
 }
 
 TEST(Budget, SamplesNearThoseOfTheReferenceAreLeftOut) {
-  const std::vector<StudySetting> settings = {of_samples(16, 0), of_samples(256, 0),
-                                              of_samples(512, 0), of_samples(1024, 0, true)};
+  const std::vector<StudySetting> settings = {of_samples(16, 0), of_samples(64, 0),
+                                              of_samples(128, 0), of_samples(1024, 0, true)};
   const BudgetChoice choice = within_reference(settings, 1024);
-  EXPECT_THAT(labels(choice.kept), ElementsAre("16", "256", "1024"));
+  EXPECT_THAT(labels(choice.kept), ElementsAre("16", "64", "1024"));
   ASSERT_EQ(choice.left_out.size(), 1u);
   EXPECT_THAT(choice.left_out[0].why, HasSubstr("1024"));
 }
