@@ -51,7 +51,7 @@ double average_samples(const RenderSettings& settings) {
 TimeShares time_shares(bool with_povray) {
   TimeShares shares;
   if (!with_povray) return shares;
-  shares.povray = 0.2;
+  shares.povray = 0.4;
   for (double* share : {&shares.references, &shares.rounding, &shares.sweep})
     *share *= 1 - shares.povray;
   return shares;

@@ -219,11 +219,12 @@ std::vector<PovraySetting> povray_settings(bool has_lens) {
     return settings;
   }
   settings.push_back({Knob::povray_method_1, "-A", {}, 0});
-  const std::pair<double, int> kPairs[] = {{0.3, 3}, {0.1, 3},  {0.03, 3}, {0.01, 3}, {0.3, 2},
-                                           {0.1, 4}, {0.01, 4}, {0, 3},    {0.003, 5}};
+  // Far apart first: a short budget gives both curves their ends.
+  const std::pair<double, int> kPairs[] = {{0.1, 3},  {0.003, 5}, {0.03, 4}, {0.3, 3},
+                                           {0.01, 3}, {0.01, 4},  {0.3, 2},  {0, 3}};
   for (const auto& [threshold, depth] : kPairs) {
-    settings.push_back(method(1, threshold, depth));
     settings.push_back(method(2, threshold, depth));
+    settings.push_back(method(1, threshold, depth));
   }
   return settings;
 }
