@@ -84,9 +84,10 @@ class StudyRunner {
   // What is left of the time, shared among the scenes that are left.
   double seconds_for(std::size_t index) const {
     if (!request_.budget) return kSecondsAScene;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-    const auto scenes_left = static_cast<double>(request_.scenes.size() - index);
-    return std::max(1.0, (*request_.budget - spent.count()) / scenes_left);
+    double left = *request_.budget;
+    for (const SceneStudy& study : studies_)
+      left -= study.seconds;
+    return std::max(1.0, left / static_cast<double>(request_.scenes.size() - index));
   }
 
   // A code when there is no point in going on.
@@ -209,7 +210,6 @@ class StudyRunner {
 
   const StudyRequest& request_;
   const render::ColorConfig& colors_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::set<std::string> taken_;
   std::vector<SceneStudy> studies_;
 };

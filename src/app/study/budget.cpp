@@ -39,6 +39,8 @@ std::vector<StudySetting> those_kept(std::span<const StudySetting> settings,
 }
 
 double average_samples(const RenderSettings& settings) {
+  // Guesses, both: 64 samples for 1/255, and in proportion.
+  if (settings.max_error) return 0.25 / settings.max_error->error;
   if (!settings.adaptive) return settings.samples;
   // A guess: twice as many for half the threshold, from the minimum at 0.1 on.
   const AdaptiveSampling& adaptive = *settings.adaptive;
@@ -102,7 +104,7 @@ BudgetChoice within_reference(std::span<const StudySetting> settings, int refere
   std::vector<bool> kept;
   for (const StudySetting& setting : settings) {
     const RenderSettings& s = setting.settings;
-    kept.push_back(setting.is_scene || s.adaptive ||
+    kept.push_back(setting.is_scene || s.adaptive || s.max_error ||
                    kReferenceSamplesATime * s.samples <= reference_samples);
   }
   const auto why = [&](const std::vector<std::size_t>&) {

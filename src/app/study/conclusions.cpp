@@ -116,6 +116,19 @@ std::string truncation_sentence(const SceneStudy& study) {
   return text.empty() ? "" : text + ".";
 }
 
+// What was asked for, and what came of it.
+std::string target_sentence(const SceneStudy& study) {
+  std::string text;
+  for (const StudyPoint& p : study.points) {
+    if (p.setting.knob != Knob::target) continue;
+    text +=
+        fmt::format("{} {} gives {}{} after {}", text.empty() ? "Asked for by --max-error," : ",",
+                    p.setting.label, p.is_shown() ? "" : "less than ",
+                    print_number(p.is_shown() ? p.errors.rmse : p.floor), cpu_text(p));
+  }
+  return text.empty() ? "" : text + ".";
+}
+
 std::string rounding_sentence(const SceneStudy& study) {
   if (!study.rounding) return "";
   const std::vector<RoundingPoint>& points = study.rounding->points;
@@ -215,8 +228,9 @@ std::string setting_text(const SceneStudy& study, const StudyPoint& point) {
 
 std::vector<std::string> conclusions(const SceneStudy& study) {
   std::vector<std::string> sentences;
-  for (const auto sentence : {within_sentence, scene_sentence, cost_sentence, slope_sentence,
-                              truncation_sentence, rounding_sentence, povray_sentence}) {
+  for (const auto sentence :
+       {within_sentence, scene_sentence, cost_sentence, slope_sentence, truncation_sentence,
+        target_sentence, rounding_sentence, povray_sentence}) {
     std::string text = sentence(study);
     if (!text.empty()) sentences.push_back(std::move(text));
   }

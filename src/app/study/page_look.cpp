@@ -4,16 +4,16 @@ namespace alhazen {
 namespace {
 
 // The colours of Okabe and Ito, which every kind of colour sight tells apart, darker on light paper
-// and lighter on dark; shapes differ too. s0 to s10 are the knobs in the order of knob.def.
+// and lighter on dark; shapes differ too. s0 to s11 are the knobs in the order of knob.def.
 constexpr std::string_view kStyle = R"css(:root {
   --c0: #0072b2; --c1: #d55e00; --c2: #a06a00; --c3: #00795a; --c4: #a8427f; --c5: #2b86b8;
-  --c6: #55554f; --c7: #7a5230; --c8: #8a1c1c; --c9: #1c1c1a; --c10: #1c1c1a;
+  --c6: #55554f; --c7: #7a5230; --c8: #8a1c1c; --c9: #1c1c1a; --c10: #1c1c1a; --c11: #1c1c1a;
   --front: #f2c230; --shade: #efefe9;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --c0: #56b4e9; --c1: #ff8a4c; --c2: #e6b422; --c3: #2fc79a; --c4: #e08fc4; --c5: #9fd4f5;
-    --c6: #b9b9b0; --c7: #cfa37a; --c8: #ff8080; --c9: #f0f0ea; --c10: #f0f0ea;
+    --c6: #b9b9b0; --c7: #cfa37a; --c8: #ff8080; --c9: #f0f0ea; --c10: #f0f0ea; --c11: #f0f0ea;
     --front: #7d6412; --shade: #1f1f1d;
   }
 }
@@ -46,6 +46,7 @@ path.stroke { fill: none !important; stroke: var(--c); stroke-width: 2.4; stroke
 .s0 { --c: var(--c0); } .s1 { --c: var(--c1); } .s2 { --c: var(--c2); } .s3 { --c: var(--c3); }
 .s4 { --c: var(--c4); } .s5 { --c: var(--c5); } .s6 { --c: var(--c6); } .s7 { --c: var(--c7); }
 .s8 { --c: var(--c8); } .s9 { --c: var(--c9); } .s10 { --c: var(--c10); }
+.s11 { --c: var(--c11); }
 .chart a { cursor: pointer; outline: none; }
 .chart a:hover .touch, .chart a:focus-visible .touch, .chart a.shown .touch {
   fill: var(--fore); opacity: 0.16; }

@@ -87,6 +87,7 @@ class PovraySweeping {
     Scene scene = input_.scene;
     scene.settings.filter = {};
     scene.settings.adaptive.reset();
+    scene.settings.max_error.reset();
     if (setting.blur_samples > 0) scene.settings.samples = setting.blur_samples;
     const auto exported = export_pov(scene, input_.sources, input_.images, "scene");
     if (!exported) return exported.error();

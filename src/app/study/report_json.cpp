@@ -44,6 +44,7 @@ Json point_json(const SceneStudy& study, const StudyPoint& p) {
   const RenderSettings& s = p.setting.settings;
   json["samples"] = s.samples;
   json["adaptive_threshold"] = s.adaptive ? Json(s.adaptive->threshold) : Json(nullptr);
+  json["max_error"] = s.max_error ? Json(s.max_error->error) : Json(nullptr);
   json["depth"] = s.max_depth;
   json["cutoff"] = s.cutoff;
   json["filter"] = setting_name(s.filter.kind);

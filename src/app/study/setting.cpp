@@ -11,10 +11,16 @@ bool is_same(const std::optional<AdaptiveSampling>& a, const std::optional<Adapt
   return a->threshold == b->threshold && a->min_samples == b->min_samples;
 }
 
+bool is_same(const std::optional<ErrorTarget>& a, const std::optional<ErrorTarget>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->error == b->error && a->share == b->share;
+}
+
 bool is_same(const RenderSettings& a, const RenderSettings& b) {
   return a.width == b.width && a.height == b.height && a.samples == b.samples &&
-         is_same(a.adaptive, b.adaptive) && a.max_depth == b.max_depth && a.cutoff == b.cutoff &&
-         a.filter.kind == b.filter.kind && a.filter.radius == b.filter.radius && a.seed == b.seed;
+         is_same(a.adaptive, b.adaptive) && is_same(a.max_error, b.max_error) &&
+         a.max_depth == b.max_depth && a.cutoff == b.cutoff && a.filter.kind == b.filter.kind &&
+         a.filter.radius == b.filter.radius && a.seed == b.seed;
 }
 
 }  // namespace
@@ -73,7 +79,14 @@ std::string cutoff_text(double cutoff) {
 
 namespace {
 
+std::string target_text(const ErrorTarget& target) {
+  const std::string text = "max-error " + cutoff_text(target.error);
+  return target.share > 0 ? fmt::format("{} in {:.4g} % of the pixels", text, 100 * target.share)
+                          : text;
+}
+
 std::string samples_text(const RenderSettings& s) {
+  if (s.max_error) return target_text(*s.max_error);
   if (!s.adaptive) return fmt::format("{} sample{}", s.samples, s.samples == 1 ? "" : "s");
   return fmt::format("adaptive {:.3g}, {} to {} samples", s.adaptive->threshold,
                      s.adaptive->min_samples, s.samples);
@@ -86,10 +99,11 @@ std::string text_of(const StudySetting& setting, const StudySetting* own) {
     text += fmt::format(", {} light sample{}", *setting.light_samples,
                         *setting.light_samples == 1 ? "" : "s");
   }
-  if (own == nullptr || s.max_depth != own->settings.max_depth) {
+  const bool is_chosen = s.max_error.has_value();
+  if (!is_chosen && (own == nullptr || s.max_depth != own->settings.max_depth)) {
     text += fmt::format(", depth {}", s.max_depth);
   }
-  if (own == nullptr || s.cutoff != own->settings.cutoff) {
+  if (!is_chosen && (own == nullptr || s.cutoff != own->settings.cutoff)) {
     text += fmt::format(", cutoff {}", cutoff_text(s.cutoff));
   }
   if (own == nullptr || s.filter.kind != own->settings.filter.kind) {

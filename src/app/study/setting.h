@@ -55,7 +55,7 @@ std::string describe_beside(const StudySetting& setting, const StudySetting& own
 
 std::string_view setting_name(render::Precision precision);
 std::string_view setting_name(FilterKind kind);
-// "1/512" where that is what it is, otherwise the number.
+// "1/512" where that is what it is, otherwise the number; of cutoffs and of error targets.
 std::string cutoff_text(double cutoff);
 
 }  // namespace alhazen

@@ -82,6 +82,7 @@ class SceneStudying {
     StudySetting setting;
     setting.settings = input_.scene.settings;
     setting.settings.adaptive.reset();
+    setting.settings.max_error.reset();
     setting.settings.samples = samples;
     return setting;
   }

@@ -30,13 +30,15 @@ SeriesLook look_of(Knob knob) {
       return {Marker::plus, false, false};
     case Knob::precision:
       return {Marker::cross, false, false};
+    case Knob::target:
+      return {Marker::star, true, false};
     case Knob::povray_method_1:
       return {Marker::square, false, true};
     case Knob::povray_method_2:
     case Knob::povray_lens:
       return {Marker::diamond, false, true};
     default:
-      return {Marker::star, false, false};
+      return {Marker::triangle, false, true};
   }
 }
 

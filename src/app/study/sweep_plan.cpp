@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kSampleCounts[] = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024};
 constexpr double kThresholds[] = {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
+// What --preset calls draft, normal and final.
+constexpr double kTargets[] = {1.0 / 64, 1.0 / 255, 1.0 / 1024};
 constexpr int kDepths[] = {0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64};
 constexpr double kCutoffs[] = {0.1,       1.0 / 32,   1.0 / 64,   1.0 / 128,  1.0 / 256,
                                1.0 / 512, 1.0 / 1024, 1.0 / 4096, 1.0 / 65536};
@@ -36,6 +38,7 @@ class SweepPlanner {
   SweepPlan plan() {
     sweep_samples();
     sweep_adaptive();
+    sweep_targets();
     if (asks_for(Knob::light_samples)) sweep_light_samples();
     if (asks_for(Knob::depth)) sweep_depth();
     if (asks_for(Knob::cutoff)) sweep_cutoff();
@@ -62,6 +65,7 @@ class SweepPlanner {
     setting.knob = knob;
     setting.settings.samples = samples;
     setting.settings.adaptive.reset();
+    setting.settings.max_error.reset();
     return setting;
   }
   StudySetting for_comparing(Knob knob) const {
@@ -92,12 +96,21 @@ class SweepPlanner {
       StudySetting setting = base_;
       setting.knob = Knob::adaptive;
       setting.settings.samples = kAdaptiveSamples;
+      setting.settings.max_error.reset();
       setting.settings.adaptive = AdaptiveSampling{};
       setting.settings.adaptive->threshold = threshold;
       if (base_.settings.adaptive) {
         setting.settings.adaptive->min_samples = base_.settings.adaptive->min_samples;
       }
       add(setting, fmt::format("t {:g}", threshold), threshold >= 0.01 ? 1 : 4);
+    }
+  }
+
+  void sweep_targets() {
+    for (const double target : kTargets) {
+      StudySetting setting = with_samples(Knob::target, base_.settings.samples);
+      setting.settings.max_error = ErrorTarget{target, 0};
+      add(setting, cutoff_text(target), target > 0.001 ? 1 : 4);
     }
   }
 
@@ -172,6 +185,13 @@ class SweepPlanner {
     if (found != plan_.settings.end()) {
       found->is_scene = true;
       found->rank = 0;
+      return;
+    }
+    if (base_.settings.max_error) {
+      base_.knob = Knob::target;
+      base_.label = cutoff_text(base_.settings.max_error->error);
+      base_.is_scene = true;
+      plan_.settings.push_back(base_);
       return;
     }
     base_.knob = base_.settings.adaptive ? Knob::adaptive : Knob::samples;

@@ -36,7 +36,7 @@ std::set<Knob> knobs_of(const SweepPlan& plan) {
 TEST(SweepPlan, MatteSceneHasNoDepthAndNoLightSamplesAndSaysWhy) {
   const SweepPlan plan = plan_of(matte_scene());
   EXPECT_EQ(knobs_of(plan),
-            (std::set{Knob::samples, Knob::adaptive, Knob::filter, Knob::precision}));
+            (std::set{Knob::samples, Knob::adaptive, Knob::target, Knob::filter, Knob::precision}));
   for (const char* what : {"light samples", "depth", "cutoff"}) {
     EXPECT_THAT(plan.left_out, Contains(Field(&LeftOut::what, what)));
   }
@@ -98,6 +98,18 @@ TEST(SweepPlan, AdaptiveSceneIsItsOwnPoint) {
   const StudySetting& found = *std::ranges::find_if(plan.settings, own);
   EXPECT_EQ(found.knob, Knob::adaptive);
   EXPECT_EQ(found.label, "t 0.037");
+}
+
+TEST(SweepPlan, SceneWithAnErrorTargetIsItsOwnPoint) {
+  SceneBuilder builder = matte_scene();
+  builder.scene.settings.max_error = ErrorTarget{1.0 / 100, 0};
+  const SweepPlan plan = plan_of(builder);
+  for (const StudySetting& s : plan.settings)
+    EXPECT_EQ(s.settings.max_error.has_value(), s.knob == Knob::target) << describe(s);
+  const auto own = [](const StudySetting& s) { return s.is_scene; };
+  const StudySetting& found = *std::ranges::find_if(plan.settings, own);
+  EXPECT_EQ(found.label, "1/100");
+  EXPECT_EQ(describe(found), "max-error 1/100, box");
 }
 
 TEST(SweepPlan, NoCurveHasAPointTwice) {
