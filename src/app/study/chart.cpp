@@ -13,7 +13,7 @@
 namespace alhazen {
 namespace {
 
-constexpr double kLeft = 62, kRight = 16, kTop = 14, kBottom = 44;  // around the plot
+constexpr double kLeft = 84, kRight = 16, kTop = 14, kBottom = 44;  // around the plot
 constexpr double kLetter = 6.3, kLineHeight = 13;                   // of labels, about
 constexpr double kTickLetter = 7.2, kTickGap = 8;
 constexpr double kRadius = 4.5, kFaintRadius = 2.2;
