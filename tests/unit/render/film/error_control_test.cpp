@@ -25,8 +25,8 @@ struct Picture {
     // A slanted line below which lies the area, as long as that is between 1/8 and 7/8.
     const double a = area(p);
     const double x = unit_real<double>(at.x), y = unit_real<double>(at.y);
-    const double height = a <= 0.125 || a >= 0.875 ? a : a + 0.25 * (x - 0.5);
-    return y < height ? 1 : 0;
+    const double line = a <= 0.125 || a >= 0.875 ? a : a + 0.25 * (x - 0.5);
+    return y < line ? 1 : 0;
   }
 };
 
