@@ -18,6 +18,17 @@ set(ALHAZEN_ISAS "${isas}" CACHE STRING "instruction sets besides the baseline: 
 set(flags_of_avx2 -mavx2 -mfma -mbmi -mbmi2 -mpopcnt)
 set(flags_of_avx512 ${flags_of_avx2} -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl)
 
+# A stage is hundreds of small functions of lanes, an instruction or a few each, which are to leave no
+# calls behind. By itself g++ stops inlining when a file has grown by so much, and then what one stage
+# costs depends on what other stages are in the file.
+set(ALHAZEN_INLINE_ALL "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(ALHAZEN_INLINE_ALL
+    --param=inline-unit-growth=400 --param=large-function-growth=1000
+    --param=large-unit-insns=100000 --param=max-inline-insns-single=400
+    --param=max-inline-insns-auto=60)
+endif()
+
 # alhazen_isa_kernels(TARGET ROOMS room ... SOURCES a.cpp ...): adds to TARGET, for each of
 # ALHAZEN_ISAS, the sources of the rooms and those named, compiled with its flags and with
 # ALHAZEN_ISA_NAME set to its name. What stays visible are the functions in the namespace of that name.
@@ -49,8 +60,8 @@ function(alhazen_isa_kernels target)
     target_include_directories(${objects} PRIVATE ${PROJECT_SOURCE_DIR}/src
                                                   ${PROJECT_BINARY_DIR}/generated)
     target_link_libraries(${objects} PRIVATE alhazen_options nlohmann_json::nlohmann_json fmt::fmt)
-    target_compile_options(${objects} PRIVATE ${flags_of_${isa}}
-      -fno-gnu-unique --param=inline-unit-growth=400 --param=large-function-growth=1000 --param=large-unit-insns=100000 --param=max-inline-insns-single=400 --param=max-inline-insns-auto=60)
+    target_compile_options(${objects} PRIVATE ${flags_of_${isa}} ${ALHAZEN_INLINE_ALL}
+      $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
     target_compile_definitions(${objects} PRIVATE ALHAZEN_ISA_NAME=${isa} ALHAZEN_WITHOUT_QUAD)
     set(whole ${CMAKE_CURRENT_BINARY_DIR}/${objects}_whole.o)
     set(sealed ${CMAKE_CURRENT_BINARY_DIR}/${objects}.o)

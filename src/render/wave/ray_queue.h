@@ -78,7 +78,9 @@ class RayQueue {
   }
 
  private:
+  // The columns have grown together, so one of them tells of all.
   void make_room(std::size_t count) {
+    if (slot.room() >= count) return;
     origin.make_room(count);
     direction.make_room(count);
     source.make_room(count);

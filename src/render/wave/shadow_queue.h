@@ -32,7 +32,9 @@ class ShadowQueue {
   }
 
  private:
+  // The columns have grown together, so one of them tells of all.
   void make_room(std::size_t count) {
+    if (hit.room() >= count) return;
     hit.make_room(count);
     direction.make_room(count);
     distance.make_room(count);
