@@ -16,15 +16,18 @@ constexpr std::size_t kColumns = 100;
 std::string wrapped(const std::string& text, const std::string& first, const std::string& rest) {
   std::string out, line = first;
   std::size_t width = first.size();
+  bool begun = false;  // the line has a word
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
-    if (width + 1 + word.size() > kColumns && width > rest.size()) {
+    if (width + 1 + word.size() > kColumns && begun) {
       out += line + "\n";
       line = rest;
       width = rest.size();
+      begun = false;
     }
-    if (width > rest.size()) line += ' ', ++width;
+    if (begun) line += ' ', ++width;
+    begun = true;
     line += word;
     width += word.size();
     begin = end + 1;

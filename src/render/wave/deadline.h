@@ -15,7 +15,7 @@ class Deadline {
   Deadline(Clock::time_point start, double seconds) {
     if (seconds <= 0) return;
     // As far as the clock can count, a hundred years are never.
-    constexpr double kLongest = 100 * 365.25 * 86400;
+    constexpr double kLongest = 100.0 * 365 * 86400;
     const std::chrono::duration<double> wait(seconds < kLongest ? seconds : kLongest);
     at_ = start + std::chrono::duration_cast<Clock::duration>(wait);
   }

@@ -21,8 +21,10 @@ class PassProgress {
     if (!listener_) return;
     const std::lock_guard lock(mutex_);
     spent_ += samples;
-    const double share = std::min(0.99, static_cast<double>(spent_) / std::max(whole_, 1.0));
-    told_ = std::max(told_, static_cast<std::uint64_t>(share * static_cast<double>(pixels_)));
+    const double percent =
+        std::min(99.0, 100 * static_cast<double>(spent_) / std::max(whole_, 1.0));
+    told_ =
+        std::max(told_, static_cast<std::uint64_t>(percent / 100 * static_cast<double>(pixels_)));
     listener_(told_, pixels_);
   }
   void end() {
@@ -36,11 +38,16 @@ class PassProgress {
   double whole_ = 0;
 };
 
+// Whether truncation takes nine tenths of a target or more, so that nothing is left to
+// sampling.
+inline bool takes_all(double truncation, double target) {
+  return 10 * truncation > 9 * target;
+}
 // What the target leaves to sampling. Squares add, where pixels are counted the errors do.
 inline ErrorTarget left_to_sampling(ErrorTarget target, double truncation) {
   const double whole = target.error;
   // Nothing would be left: the picture cannot be that good, but its samples can.
-  if (truncation > 0.9 * whole) return target;
+  if (takes_all(truncation, whole)) return target;
   target.error =
       target.share > 0 ? whole - truncation : square_root(whole * whole - truncation * truncation);
   return target;
@@ -58,7 +65,7 @@ inline AccuracyReport report_of(const ErrorTarget& target, const Truncation& tru
   const auto whole = [&](double sampling) { return square_root(sampling * sampling + cut * cut); };
   report.estimate = whole(control.estimate().value);
   report.bound = whole(control.estimate().bound);
-  if (truncation.error > 0.9 * target.error) {
+  if (takes_all(truncation.error, target.error)) {
     report.end = AccuracyEnd::out_of_depth;
   } else if (!control.reached()) {
     report.end = in_time ? AccuracyEnd::out_of_samples : AccuracyEnd::out_of_time;

@@ -38,12 +38,16 @@ std::vector<Shape> crowd(Dice& dice) {
   return shapes;
 }
 
-// Of all crossings the first by t, then entering before leaving, then by shape and face.
+// Of all crossings the first by t, then entering before leaving, then by shape and face. Of shapes
+// that are one surface the first stands in for all, and the outermost is met by what enters, the
+// innermost by what leaves.
 template <class Real>
 std::optional<Hit<Real>> first_of_all(const ShapeTable<Real>& table, const Ray<Real>& ray,
                                       const Source& source) {
   std::optional<Hit<Real>> best;
+  const auto& twins = table.twins();
   for (ShapeId id = 0; id < table.size(); ++id) {
+    if (twins.is_hidden(id)) continue;
     const Departure from = id == source.shape ? Departure{source.face, source.side} : Departure();
     for (const Crossing<Real>& c : table.crossings(id, ray, from)) {
       const auto order = [](const Hit<Real>& h) {
@@ -53,6 +57,7 @@ std::optional<Hit<Real>> first_of_all(const ShapeTable<Real>& table, const Ray<R
       if (!best || order(hit) < order(*best)) best = hit;
     }
   }
+  if (best) best->shape = twins.first(best->shape, best->enters);
   return best;
 }
 
@@ -84,6 +89,7 @@ void nearest() {
       if (!same_hit(hit, truth)) ++different;
       if (!truth) continue;
       ++met;
+      if (table.twins().has_twin(truth->shape)) continue;  // on to its next layer: Twins.*
       // Onward from there, with nothing known of how the ray came: every face at t = 0 is met.
       Source source{truth->shape, truth->face, Side::kByDirection};
       const auto point = table.plain_surface(truth->shape, ray, truth->crossing());
