@@ -16,12 +16,15 @@ bool begins_character(char byte) {
 
 FileId SourceManager::add(std::string name, std::string text) {
   File file{std::move(name), std::move(text), {0}, {}};
+  const std::string_view all = file.text;
   std::uint32_t points = 0;
-  for (std::uint32_t i = 0; i < file.text.size(); ++i) {
-    if (i % kStride == 0) file.points.push_back(points);
-    if (begins_character(file.text[i])) ++points;
-    if (file.text[i] == '\n') file.line_starts.push_back(i + 1);
+  for (std::size_t i = 0; i < all.size(); i += kStride) {
+    file.points.push_back(points);
+    const std::string_view part = all.substr(i, kStride);
+    points += static_cast<std::uint32_t>(std::count_if(part.begin(), part.end(), begins_character));
   }
+  for (std::size_t i = all.find('\n'); i != std::string_view::npos; i = all.find('\n', i + 1))
+    file.line_starts.push_back(static_cast<std::uint32_t>(i + 1));
   files_.push_back(std::move(file));
   return static_cast<FileId>(files_.size() - 1);
 }

@@ -23,7 +23,8 @@ void Lexer::lex_number(Token& token) {
       skip_digits();
     }
   }
-  if (peek() == 'e' || peek() == 'E') {
+  const bool has_exponent = peek() == 'e' || peek() == 'E';
+  if (has_exponent) {
     const std::uint32_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
     if (is_digit(peek(1 + sign))) {
       at_ += 1 + sign;
@@ -41,7 +42,10 @@ void Lexer::lex_number(Token& token) {
   } else if (!unit.empty()) {
     token.flaw = Flaw::unknown_unit;
   }
-  if (token.flaw == Flaw::none) check_number(token);
+  // So few digits cannot leave the range of double (1e-307 to 1e308) without an exponent.
+  constexpr std::uint32_t kFewDigits = 300;
+  const bool may_be_out_of_range = has_exponent || at_ - token.begin > kFewDigits;
+  if (token.flaw == Flaw::none && may_be_out_of_range) check_number(token);
 }
 
 void Lexer::check_number(Token& token) {

@@ -38,11 +38,11 @@ bool is_below_one(std::string_view text) {
 }  // namespace
 
 Number read_number(std::string_view text) {
-  if (is_written_zero(text)) return {};
   double value = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool in_range = read.ec == std::errc() && value != 0 && std::isfinite(value);
   if (in_range) return {value, NumberState::good};
+  if (is_written_zero(text)) return {};
   return {0, is_below_one(text) ? NumberState::too_small : NumberState::too_large};
 }
 

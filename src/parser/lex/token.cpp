@@ -44,6 +44,11 @@ constexpr KindText kKinds[] = {
 #undef ALHAZEN_KEYWORD
 };
 
+// The first byte tells most spellings apart, without a call.
+bool begins_alike(std::string_view text, std::string_view spelling) {
+  return text.starts_with(spelling.front());
+}
+
 constexpr const KindText& text_of(TokenKind kind) {
   return kKinds[static_cast<std::size_t>(kind)];
 }
@@ -71,14 +76,16 @@ std::string_view name_of(Flaw flaw) {
 
 std::optional<TokenKind> match_punctuation(std::string_view text) {
   for (const Spelling& candidate : kPunctuation) {
-    if (text.starts_with(candidate.text)) return candidate.kind;
+    if (begins_alike(text, candidate.text) && text.starts_with(candidate.text)) {
+      return candidate.kind;
+    }
   }
   return std::nullopt;
 }
 
 TokenKind keyword_or_name(std::string_view word) {
   for (const Spelling& candidate : kKeywords) {
-    if (word == candidate.text) return candidate.kind;
+    if (begins_alike(word, candidate.text) && word == candidate.text) return candidate.kind;
   }
   return TokenKind::name;
 }

@@ -14,10 +14,9 @@ ast::ExprPtr Parser::make(std::uint32_t begin, Node node, int below) {
   return error_expression();
 }
 
-ast::ExprPtr Parser::error_expression() {
-  const Token& token = peek();
+ast::ExprPtr Parser::error_expression(const Token& before) {
   return std::make_unique<ast::Expr>(
-      ast::Expr{{file_, token.begin, token.begin}, ast::ErrorExpr{}, 1});
+      ast::Expr{{file_, before.begin, before.begin}, ast::ErrorExpr{}, 1});
 }
 
 bool Parser::at_item_keyword() {

@@ -89,7 +89,9 @@ class Parser {
   // An expression from byte `begin` to the token consumed last. `below` is the height of its
   // highest part; beyond the limit the tree is dropped, reported, and an ErrorExpr stands for it.
   ast::ExprPtr make(std::uint32_t begin, Node node, int below = 0);
-  ast::ExprPtr error_expression();
+  // In place of what is missing before a token, by default the next.
+  ast::ExprPtr error_expression() { return error_expression(peek()); }
+  ast::ExprPtr error_expression(const Token& before);
 
   // ---- tokens -----------------------------------------------------------------------------------
   const Token& peek(std::size_t ahead = 0) { return tokens_.peek(ahead); }

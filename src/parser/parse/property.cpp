@@ -29,7 +29,8 @@ ast::Placement Parser::parse_placement(const Token& name) {
 
 // property    = NAME ( body | expression ) ;
 ast::Property Parser::parse_property(const Token& name) {
-  ast::Property property{name_of(name), error_expression()};
+  ast::Property property{name_of(name), {}};
+  const Token after_name = peek();
   if (at(TokenKind::equal) || at(TokenKind::colon)) {
     const Token sign = next();
     if (sign.flaw == Flaw::none) {
@@ -50,10 +51,12 @@ ast::Property Parser::parse_property(const Token& name) {
     // What follows is sound; only this property is not.
     report<DiagnosticKind::missing_value>(span(name), text(name))
         .hint("a property is a name and a value: `radius 2`, `material glass { ior 1.5 }`");
+    property.value = error_expression(after_name);
   } else {
     const bool update = at(TokenKind::equal, 1);  // `x += 1`
     Diagnostic& report = fail_expected(fmt::format("the value of `{}`", text(name)));
     if (update) report.hint("values do not change: name the new one with `let`");
+    property.value = error_expression(after_name);
   }
   return property;
 }
@@ -110,9 +113,8 @@ void Parser::after_property(const ast::Property& property) {
 // `def f(x)`, `var x = 1`: reported, and read as what is meant.
 bool Parser::take_foreign_word(ast::Item& item) {
   const ForeignWord* word = match_foreign_word(text(peek()));
-  const TokenKind after = peek(1).kind;
   // With a body, or with a name and a body, it may be the author's own name for an object.
-  if (word == nullptr || after == TokenKind::left_brace) return false;
+  if (word == nullptr || at(TokenKind::left_brace, 1)) return false;
   const SourceSpan where = span(peek());
   if (word->meaning == TokenKind::skip) {
     fail<DiagnosticKind::foreign_word>(where, word->spelling).hint(std::string(word->hint));

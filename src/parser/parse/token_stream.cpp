@@ -10,13 +10,12 @@ TokenStream::TokenStream(FileId file, std::string_view text, std::uint32_t begin
                          DiagnosticSink& sink)
     : file_(file), text_(text), lexer_(text, begin), sink_(sink), last_end_(begin) {}
 
-const Token& TokenStream::peek(std::size_t ahead) {
-  while (ahead_.size() <= ahead)
-    fetch();
-  return ahead_[ahead].token;
+void TokenStream::fetch(std::size_t count) {
+  while (ahead_.size() < count)
+    ahead_.push_back(read_one());
 }
 
-void TokenStream::fetch() {
+TokenStream::Ahead TokenStream::read_one() {
   Ahead ahead;
   bool newline_skipped = false;
   for (;;) {
@@ -44,7 +43,7 @@ void TokenStream::fetch() {
     newline_skipped = newline_skipped || token.newline_before;
   }
   ahead.token.newline_before = ahead.token.newline_before || newline_skipped;
-  ahead_.push_back(std::move(ahead));
+  return ahead;
 }
 
 void TokenStream::stop() {
@@ -59,7 +58,7 @@ Token TokenStream::next(std::vector<ast::Comment>& comments) {
   const Token token = ahead_.front().token;
   if (token.newline_before) line_indentation_ = indentation(token);
   last_end_ = token.end;
-  if (token.kind != TokenKind::end) ahead_.pop_front();
+  if (token.kind != TokenKind::end) ahead_.erase(ahead_.begin());
   return token;
 }
 

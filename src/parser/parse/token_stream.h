@@ -2,7 +2,6 @@
 // they precede, and without flaws, which are reported when they come into sight.
 #pragma once
 
-#include <deque>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +15,10 @@ class TokenStream {
  public:
   TokenStream(FileId file, std::string_view text, std::uint32_t begin, DiagnosticSink& sink);
 
-  const Token& peek(std::size_t ahead = 0);
+  const Token& peek(std::size_t ahead = 0) {
+    if (ahead >= ahead_.size()) fetch(ahead + 1);
+    return ahead_[ahead].token;
+  }
   // Consumes the token; the comments before it join `comments`.
   Token next(std::vector<ast::Comment>& comments);
 
@@ -47,13 +49,15 @@ class TokenStream {
     Token token;
     std::vector<Pending> comments;
   };
-  void fetch();
+  // Until so many tokens are in sight.
+  void fetch(std::size_t count);
+  Ahead read_one();
 
   FileId file_;
   std::string_view text_;
   Lexer lexer_;
   DiagnosticSink& sink_;
-  std::deque<Ahead> ahead_;
+  std::vector<Ahead> ahead_;  // one or two; more only where a message is put together
   std::uint32_t last_end_;
   std::uint32_t line_indentation_ = 0;
   bool stopped_ = false;
