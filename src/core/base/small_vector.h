@@ -2,15 +2,15 @@
 // like, of which there are seldom more than a few and which are made a million times.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace alhazen {
 
-// Elements are default-constructible. References end with the next push_back.
+// References end with the next push_back.
 template <class T, std::size_t kFew>
 class SmallVector {
  public:
@@ -18,6 +18,17 @@ class SmallVector {
   explicit SmallVector(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
       push_back(T());
+  }
+  SmallVector(SmallVector&& other) noexcept : many_(std::move(other.many_)), size_(other.size_) {
+    if (many_.empty()) {
+      std::uninitialized_move_n(other.few(), size_, few());
+    } else {
+      other.size_ = 0;
+    }
+  }
+  SmallVector& operator=(SmallVector&&) = delete;
+  ~SmallVector() {
+    if (many_.empty()) std::destroy_n(few(), size_);
   }
 
   std::size_t size() const { return size_; }
@@ -29,25 +40,35 @@ class SmallVector {
 
   void push_back(T value) {
     if (many_.empty() && size_ < kFew) {
-      few_[size_] = std::move(value);
+      std::construct_at(few() + size_, std::move(value));
     } else {
-      if (many_.empty()) {
-        many_.assign(std::make_move_iterator(few_.begin()), std::make_move_iterator(few_.end()));
-      }
+      if (many_.empty()) leave_few();
       many_.push_back(std::move(value));
     }
     ++size_;
   }
   void pop_back() {
     --size_;
-    if (!many_.empty()) many_.pop_back();
+    if (many_.empty()) {
+      std::destroy_at(few() + size_);
+    } else {
+      many_.pop_back();
+    }
   }
 
  private:
-  T* data() { return many_.empty() ? few_.data() : many_.data(); }
-  const T* data() const { return many_.empty() ? few_.data() : many_.data(); }
+  T* few() { return reinterpret_cast<T*>(&few_); }
+  const T* few() const { return reinterpret_cast<const T*>(&few_); }
+  T* data() { return many_.empty() ? few() : many_.data(); }
+  const T* data() const { return many_.empty() ? few() : many_.data(); }
 
-  std::array<T, kFew> few_{};
+  void leave_few() {
+    many_.assign(std::make_move_iterator(few()), std::make_move_iterator(few() + size_));
+    std::destroy_n(few(), size_);
+  }
+
+  // Made one by one: a list of two pays for two.
+  alignas(T) std::byte few_[kFew * sizeof(T)];
   std::vector<T> many_;  // all of them, once they are more
   std::size_t size_ = 0;
 };

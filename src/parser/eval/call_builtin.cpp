@@ -101,7 +101,9 @@ Value Evaluator::call_builtin(const ast::Expr& expr, const ast::Call& call,
     checked.spans.push_back(argument->value->span);
   }
   if (poisoned || context_.halted()) return Poison{};
-  return finite_or_report(context_, function.apply(checked), expr.span);
+  Value result = function.apply(checked);
+  if (!is_finite(result)) return report_not_finite(context_, expr.span);
+  return result;
 }
 
 }  // namespace alhazen::parser

@@ -28,7 +28,7 @@ struct ReturnSlot {
 
 // What the items of one body act on.
 struct Body {
-  ScopePtr scope;
+  const ScopePtr& scope;
   BlockBuilder& target;
   ReturnSlot* result;  // null outside of functions
 };

@@ -14,6 +14,8 @@ namespace alhazen::parser {
 
 Value Evaluator::evaluate(const ast::Expr& expr, const ScopePtr& scope) {
   if (!context_.spend_fuel(1, expr.span)) return Poison{};
+  // What a scene has most of; it was read as finite.
+  if (const auto* number = std::get_if<ast::NumberLiteral>(&expr.node)) return number->value;
   if (nesting_ >= context_.limits().nesting) {
     context_.halt<DiagnosticKind::nested_too_deep>(expr.span, "evaluations",
                                                    context_.limits().nesting);
@@ -28,13 +30,12 @@ Value Evaluator::evaluate(const ast::Expr& expr, const ScopePtr& scope) {
 Value Evaluator::evaluate_node(const ast::Expr& expr, const ScopePtr& scope) {
   return std::visit(
       Overloaded{
-          [&](const ast::NumberLiteral& n) {
-            return finite_or_report(context_, n.value, expr.span);
-          },
+          [&](const ast::NumberLiteral& n) -> Value { return n.value; },
           [&](const ast::AngleLiteral& a) {
             const double deg =
                 a.unit == ast::AngleUnit::deg ? a.value : a.value * 180 / alhazen::pi<double>();
-            return finite_or_report(context_, Angle{deg}, expr.span);
+            return alhazen::is_finite(deg) ? Value(Angle{deg})
+                                           : report_not_finite(context_, expr.span);
           },
           [&](const ast::StringLiteral& s) { return context_.make_text(s.value, expr.span); },
           [&](const ast::HexColor& c) -> Value {

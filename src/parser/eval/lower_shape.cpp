@@ -1,6 +1,7 @@
 // parser/eval: shapes, and what makes one degenerate.
 #include <fmt/format.h>
 
+#include "core/base/same_name.h"
 #include "parser/eval/direction.h"
 #include "parser/eval/lower.h"
 
@@ -122,7 +123,7 @@ constexpr ShapeKind kKinds[] = {{"sphere", sphere},     {"plane", plane}, {"box"
 
 std::optional<Geometry> lower_shape(Context& context, const Properties& properties) {
   for (const ShapeKind& kind : kKinds) {
-    if (kind.name == properties.schema().name) return kind.lower(context, properties);
+    if (same_name(kind.name, properties.schema().name)) return kind.lower(context, properties);
   }
   return std::nullopt;
 }

@@ -155,8 +155,7 @@ Value element_of(const Interval& range, double k) {
   return range.of_angles ? Value(Angle{value}) : Value(value);
 }
 
-Value finite_or_report(Context& context, Value value, SourceSpan span) {
-  if (is_finite(value)) return value;
+Value report_not_finite(Context& context, SourceSpan span) {
   context.report<DiagnosticKind::result_not_finite>(span);
   return Poison{};
 }
@@ -183,7 +182,7 @@ Value raise_to_power(Context& context, double base, SourceSpan base_span, double
     result = power(absolute(base), exponent);
     if (base < 0 && std::fmod(exponent, 2) != 0) result = -result;
   }
-  return finite_or_report(context, result, base_span);
+  return alhazen::is_finite(result) ? Value(result) : report_not_finite(context, base_span);
 }
 
 Value apply_binary(Context& context, Op op, const Value& a, SourceSpan a_span, const Value& b,

@@ -21,7 +21,7 @@ double floored_remainder(double a, double b);
 // The k-th value of a range: first + k step.
 Value element_of(const Interval& range, double k);
 
-// The value as it is, or poison after a report at `span` when a part of it is not finite.
-Value finite_or_report(Context& context, Value value, SourceSpan span);
+// Poison, after a report at `span` that a part of the result is not finite.
+Value report_not_finite(Context& context, SourceSpan span);
 
 }  // namespace alhazen::parser

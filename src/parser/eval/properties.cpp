@@ -1,6 +1,8 @@
 // parser/eval: reading properties and their defaults.
 #include "parser/eval/properties.h"
 
+#include "core/base/same_name.h"
+
 namespace alhazen::parser {
 namespace {
 
@@ -12,7 +14,7 @@ const Default& default_of(const BlockSchema& schema, std::string_view name) {
 
 const Property* Properties::find(std::string_view name) const {
   for (const Property& property : written_) {
-    if (property.spec->name == name) return &property;
+    if (same_name(property.spec->name, name)) return &property;
   }
   return nullptr;
 }

@@ -1,6 +1,8 @@
 // parser/eval: looking names up.
 #include "parser/eval/scope.h"
 
+#include "core/base/same_name.h"
+
 namespace alhazen::parser {
 
 void Scope::define(std::string_view name, Value value, SourceSpan span) {
@@ -16,7 +18,7 @@ const Binding* Scope::find_here(std::string_view name) const {
     return it == index_.end() ? nullptr : &bindings_[it->second];
   }
   for (auto it = bindings_.rbegin(); it != bindings_.rend(); ++it) {
-    if (it->name == name) return &*it;
+    if (same_name(it->name, name)) return &*it;
   }
   return nullptr;
 }

@@ -1,25 +1,24 @@
-// parser/eval: interning by the bytes of a record.
+// parser/eval: interning by the fields of a record.
 #include "parser/eval/store.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
+#include "core/base/hash.h"
 #include "core/base/overloaded.h"
+#include "core/base/small_vector.h"
 
 namespace alhazen::parser {
 namespace {
 
 // Two records have one key if and only if they are equal field by field; -0 and 0 are the same.
+// A record is made for each of a million shapes: most keys need no allocation.
 class Key {
  public:
-  Key() { bytes_.reserve(256); }
-  Key& add(double x) {
-    const auto bits = std::bit_cast<std::uint64_t>(x + 0.0);
-    bytes_.append(reinterpret_cast<const char*>(&bits), sizeof bits);
-    return *this;
-  }
+  Key& add(double x) { return add(std::bit_cast<std::uint64_t>(x + 0.0)); }
   Key& add(std::uint64_t word) {
-    bytes_.append(reinterpret_cast<const char*>(&word), sizeof word);
+    words_.push_back(word);
     return *this;
   }
   Key& add(Rgbd c) { return add(c.r).add(c.g).add(c.b); }
@@ -33,13 +32,23 @@ class Key {
   }
   Key& add(std::string_view text) {
     add(std::uint64_t{text.size()});
-    bytes_.append(text);
+    for (const char byte : text)
+      add(static_cast<std::uint64_t>(byte));
     return *this;
   }
-  std::string take() { return std::move(bytes_); }
+
+  std::uint64_t hash() const {
+    std::uint64_t hash = 0;
+    for (const std::uint64_t word : words_)
+      hash = mix_64(hash, word);
+    return hash;
+  }
+  friend bool operator==(const Key& a, const Key& b) {
+    return std::equal(a.words_.begin(), a.words_.end(), b.words_.begin(), b.words_.end());
+  }
 
  private:
-  std::string bytes_;
+  SmallVector<std::uint64_t, 48> words_;
 };
 
 void add_pattern(Key& key, const Pattern& pattern) {
@@ -100,36 +109,36 @@ void add_scattering(Key& key, const Scattering& scattering) {
              scattering);
 }
 
-std::string key_of(const Texture& texture) {
+Key key_of(const Texture& texture) {
   Key key;
   add_pattern(key, texture.pattern);
   // One colour everywhere looks the same however it is mapped.
   if (!std::holds_alternative<SolidPattern>(texture.pattern)) {
     key.add(static_cast<std::uint64_t>(texture.mapping)).add(texture.pattern_from_mapped);
   }
-  return key.take();
+  return key;
 }
 
-std::string key_of(const Material& material) {
+Key key_of(const Material& material) {
   Key key;
   add_scattering(key, material.scattering);
   key.add(material.emission);
   key.add(std::uint64_t{material.one_sided_emission});
-  return key.take();
+  return key;
 }
 
-std::string key_of(const ImageFile& image) {
+Key key_of(const ImageFile& image) {
   Key key;
   key.add(image.path).add(image.color_space);
-  return key.take();
+  return key;
 }
 
 }  // namespace
 
 template <class Record>
 std::uint32_t Store::Interned<Record>::add(Record record) {
-  const std::string key = key_of(record);
-  const std::size_t hash = std::hash<std::string>()(key);
+  const Key key = key_of(record);
+  const std::uint64_t hash = key.hash();
   const auto [first, last] = ids_.equal_range(hash);
   for (auto it = first; it != last; ++it) {
     if (key_of(records_[it->second]) == key) return it->second;

@@ -31,7 +31,7 @@ class Store {
  private:
   Rgbd bound(const Pattern& pattern) const;
 
-  // Records, found by the hash of their bytes, written out field by field.
+  // Records, found by the hash of their fields.
   template <class Record>
   class Interned {
    public:
@@ -41,7 +41,7 @@ class Store {
 
    private:
     std::vector<Record> records_;
-    std::unordered_multimap<std::size_t, std::uint32_t> ids_;
+    std::unordered_multimap<std::uint64_t, std::uint32_t> ids_;
   };
 
   Interned<Texture> textures_;

@@ -208,17 +208,24 @@ bool equal(const Value& a, const Value& b) {
 }
 
 bool is_finite(const Value& value) {
-  return std::visit(
-      Overloaded{[](double n) { return alhazen::is_finite(n); },
-                 [](Angle a) { return alhazen::is_finite(a.deg); },
-                 [](Vec2d v) { return alhazen::is_finite(v.x) && alhazen::is_finite(v.y); },
-                 [](Vec3d v) { return alhazen::is_finite(v); },
-                 [](AngleVector v) { return alhazen::is_finite(v.deg); },
-                 [](Rgbd c) {
-                   return alhazen::is_finite(Vec3d{c.r, c.g, c.b});
-                 },
-                 [](const auto&) { return true; }},
-      value.storage);
+  switch (value.type()) {
+    case Type::number:
+      return alhazen::is_finite(value.number());
+    case Type::angle:
+      return alhazen::is_finite(value.as<Angle>().deg);
+    case Type::vec2:
+      return alhazen::is_finite(value.as<Vec2d>().x) && alhazen::is_finite(value.as<Vec2d>().y);
+    case Type::vec3:
+      return alhazen::is_finite(value.as<Vec3d>());
+    case Type::angles:
+      return alhazen::is_finite(value.as<AngleVector>().deg);
+    case Type::color: {
+      const auto c = value.as<Rgbd>();
+      return alhazen::is_finite(Vec3d{c.r, c.g, c.b});
+    }
+    default:
+      return true;
+  }
 }
 
 }  // namespace alhazen::parser

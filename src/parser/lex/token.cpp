@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "core/base/same_name.h"
+
 namespace alhazen::parser {
 namespace {
 
@@ -44,11 +46,6 @@ constexpr KindText kKinds[] = {
 #undef ALHAZEN_KEYWORD
 };
 
-// The first byte tells most spellings apart, without a call.
-bool begins_alike(std::string_view text, std::string_view spelling) {
-  return text.starts_with(spelling.front());
-}
-
 constexpr const KindText& text_of(TokenKind kind) {
   return kKinds[static_cast<std::size_t>(kind)];
 }
@@ -76,16 +73,14 @@ std::string_view name_of(Flaw flaw) {
 
 std::optional<TokenKind> match_punctuation(std::string_view text) {
   for (const Spelling& candidate : kPunctuation) {
-    if (begins_alike(text, candidate.text) && text.starts_with(candidate.text)) {
-      return candidate.kind;
-    }
+    if (same_name(text.substr(0, candidate.text.size()), candidate.text)) return candidate.kind;
   }
   return std::nullopt;
 }
 
 TokenKind keyword_or_name(std::string_view word) {
   for (const Spelling& candidate : kKeywords) {
-    if (begins_alike(word, candidate.text) && word == candidate.text) return candidate.kind;
+    if (same_name(word, candidate.text)) return candidate.kind;
   }
   return TokenKind::name;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "core/base/same_name.h"
 #include "parser/eval/builtin/builtin.h"
 
 namespace alhazen::parser {
@@ -48,7 +49,7 @@ const BuiltinFunction* find_builtin(std::string_view name) {
 const BuiltinConstant* find_constant(std::string_view name) {
   const auto constants = builtin_constants();
   const auto it = std::find_if(constants.begin(), constants.end(),
-                               [&](const BuiltinConstant& c) { return c.name == name; });
+                               [&](const BuiltinConstant& c) { return same_name(c.name, name); });
   return it == constants.end() ? nullptr : &*it;
 }
 

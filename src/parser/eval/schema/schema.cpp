@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "core/base/same_name.h"
+
 namespace alhazen::parser {
 
 const PropertySpec* BlockSchema::find(std::string_view property) const {
   for (const auto& table : tables) {
     for (const PropertySpec& spec : table) {
-      if (spec.name == property) return &spec;
+      if (same_name(spec.name, property)) return &spec;
     }
   }
   return nullptr;
@@ -25,7 +27,7 @@ std::vector<std::string_view> BlockSchema::property_names() const {
 
 const BlockSchema* find_schema(std::span<const BlockSchema* const> kinds, std::string_view name) {
   for (const BlockSchema* kind : kinds) {
-    if (kind->name == name) return kind;
+    if (same_name(kind->name, name)) return kind;
   }
   return nullptr;
 }

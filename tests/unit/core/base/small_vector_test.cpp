@@ -2,7 +2,9 @@
 #include "core/base/small_vector.h"
 
 #include <gtest/gtest.h>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace alhazen {
 namespace {
@@ -36,6 +38,22 @@ TEST(SmallVector, ShrinksAndGrowsAcrossItsLimit) {
       list.push_back(i);
     for (std::size_t i = 0; i < 5; ++i)
       EXPECT_EQ(list[i], static_cast<int>(i)) << round;
+  }
+}
+
+// Each element is made once and destroyed once, wherever it lived.
+TEST(SmallVector, KeepsNothingAlive) {
+  const auto watched = std::make_shared<int>(0);
+  for (std::size_t count = 0; count < 8; ++count) {
+    {
+      SmallVector<std::shared_ptr<int>, 3> list;
+      for (std::size_t i = 0; i < count; ++i)
+        list.push_back(watched);
+      const SmallVector<std::shared_ptr<int>, 3> moved(std::move(list));
+      EXPECT_EQ(moved.size(), count);
+      EXPECT_EQ(watched.use_count(), 1 + static_cast<long>(count));
+    }
+    EXPECT_EQ(watched.use_count(), 1) << count;
   }
 }
 
