@@ -139,7 +139,7 @@ std::vector<TreeNode> build_tree(std::vector<NumberedBox> boxes, int threads) {
   std::vector<std::vector<TreeNode>> subtrees(jobs.size());
   in_parallel(threads, jobs.size(),
               [&](std::size_t i) { subtrees[i] = build_subtree(boxes, jobs[i].range); });
-  boxes = {};
+  boxes = std::vector<NumberedBox>();  // `= {}` would keep the memory
   std::size_t count = nodes.size();
   for (const auto& subtree : subtrees)
     count += subtree.size();
@@ -147,7 +147,7 @@ std::vector<TreeNode> build_tree(std::vector<NumberedBox> boxes, int threads) {
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const std::size_t root = append(subtrees[i], nodes);
     nodes[jobs[i].parent].children[jobs[i].place] = TreeChild::node(root);
-    subtrees[i] = {};
+    subtrees[i] = std::vector<TreeNode>();
   }
   return nodes;
 }
