@@ -86,22 +86,12 @@ class ShapeTable<Real>::Builder {
 };
 
 template <class Real>
-void ShapeTable<Real>::add(const ShapeList& shapes, Vec3d origin) {
-  Builder builder(*this, origin);
-  for (const Shape& shape : shapes)
-    builder.add(shape);
-}
-
-template <class Real>
-ShapeTable<Real>::ShapeTable(const ShapeList& shapes) {
-  add(shapes, Vec3d());
-}
-
-template <class Real>
 ShapeTable<Real>::ShapeTable(const ShapeList& shapes, Vec3d world_origin,
                              const std::function<int(ShapeId)>& rank)
     : world_origin_(world_origin) {
-  add(shapes, world_origin);
+  Builder builder(*this, world_origin);
+  for (const Shape& shape : shapes)
+    builder.add(shape);
   twins_ = find_twins<Real>(
       size(), [this](ShapeId id) { return landmarks(id); },
       rank ? rank : [](ShapeId) { return 0; });

@@ -52,8 +52,8 @@ class ShapeTable {
   // one of the lowest rank(shape) is outermost; without ranks, the first.
   ShapeTable(const ShapeList& shapes, Vec3d world_origin,
              const std::function<int(ShapeId)>& rank = {});
-  // In the frame that they are given in, and each taken for a surface of its own.
-  explicit ShapeTable(const ShapeList& shapes);
+  // In the frame that they are given in.
+  explicit ShapeTable(const ShapeList& shapes) : ShapeTable(shapes, Vec3d()) {}
 
   ShapeId size() const { return static_cast<ShapeId>(entries_.size()); }
   // What was subtracted: scene position = position + world_origin.
@@ -104,7 +104,6 @@ class ShapeTable {
  private:
   class Builder;
 
-  void add(const ShapeList& shapes, Vec3d origin);
   Ray<Real> own_ray(const Entry& entry, const Ray<Real>& ray) const;
   template <template <class> class RayKind, class L>
   CrossingPair<L> crossings_of(const Entry& entry, const RayKind<L>& ray) const {

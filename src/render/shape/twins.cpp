@@ -56,22 +56,24 @@ Keyed keyed(ShapeId id, const Landmarks<Real>& marks) {
 
 }  // namespace
 
-void Twins::add(std::vector<ShapeId> layers) {
+void Twins::add(std::vector<ShapeId> layers, const std::function<int(ShapeId)>& rank) {
+  std::sort(layers.begin(), layers.end());
+  const ShapeId stand_in = layers.front();
+  std::stable_sort(layers.begin(), layers.end(),
+                   [&](ShapeId a, ShapeId b) { return rank(a) < rank(b); });
   for (std::size_t layer = 0; layer < layers.size(); ++layer)
     places_[layers[layer]] = {stacks_.size(), layer};
-  const ShapeId stand_in = *std::min_element(layers.begin(), layers.end());
   stacks_.push_back({stand_in, std::move(layers)});
 }
 
-Twins Twins::renamed(const std::function<ShapeId(ShapeId)>& id_of) const {
-  Twins result;
-  for (const Stack& stack : stacks_) {
+void Twins::add(const Twins& others, const std::function<ShapeId(ShapeId)>& id_of,
+                const std::function<int(ShapeId)>& rank) {
+  for (const Stack& stack : others.stacks_) {
     std::vector<ShapeId> layers;
     for (const ShapeId layer : stack.layers)
       layers.push_back(id_of(layer));
-    result.add(std::move(layers));
+    add(std::move(layers), rank);
   }
-  return result;
 }
 
 template <class Real>
@@ -110,9 +112,7 @@ Twins find_twins(ShapeId shapes, const std::function<Landmarks<Real>(ShapeId)>& 
     }
     if (layers.empty()) continue;
     layers.push_back(all[i].id);
-    std::sort(layers.begin(), layers.end(),
-              [&](ShapeId a, ShapeId b) { return rank(a) != rank(b) ? rank(a) < rank(b) : a < b; });
-    twins.add(std::move(layers));
+    twins.add(std::move(layers), rank);
   }
   return twins;
 }

@@ -47,12 +47,14 @@ class Twins {
     return layer > 0 ? layers[layer - 1] : kNoId;
   }
 
-  // A stack of two shapes or more, from the outermost to the innermost. The first in the scene
-  // stands in for all.
-  void add(std::vector<ShapeId> layers);
+  // A stack of two shapes or more, those of the lowest rank(id) outermost, of equal ones the first
+  // in the scene. That one stands in for all.
+  void add(std::vector<ShapeId> layers, const std::function<int(ShapeId)>& rank);
 
-  // The same shapes by other ids, in the same order.
-  Twins renamed(const std::function<ShapeId(ShapeId)>& id_of) const;
+  // The stacks of shapes that have other ids here, id_of(shape), and an order of their own: by
+  // rank(id), then by id.
+  void add(const Twins& others, const std::function<ShapeId(ShapeId)>& id_of,
+           const std::function<int(ShapeId)>& rank);
 
  private:
   struct Stack {
@@ -72,7 +74,6 @@ class Twins {
 template <class Real>
 bool are_twins(const Landmarks<Real>& a, const Landmarks<Real>& b);
 
-// Layers in order of `rank(shape)`, the lowest outermost; of equal ones, the first in the scene.
 // The time is that of sorting the shapes.
 template <class Real>
 Twins find_twins(ShapeId shapes, const std::function<Landmarks<Real>(ShapeId)>& landmarks_of,

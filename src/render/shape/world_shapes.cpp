@@ -20,8 +20,13 @@ WorldShapes<Real>::WorldShapes(const SceneShapes& shapes, Vec3d world_origin,
         {Affine<Real>(place.world_from_object), Affine<Real>(place.object_from_world)});
     prototype_of_.push_back(shapes.prototype_of(id));
   }
-  if (has_instances()) {
-    twins_ = singles_.twins().renamed([this](ShapeId n) { return index_.id_of_single(n); });
+  if (!has_instances()) return;
+  const auto rank_of = [&rank](ShapeId id) { return rank ? rank(id) : 0; };
+  const auto id_of_single = [this](ShapeId n) { return index_.id_of_single(n); };
+  twins_.add(singles_.twins(), id_of_single, rank_of);
+  for (InstanceId id = 0; id < shapes.instance_count(); ++id) {
+    const auto id_of = [first = index_.first(id)](ShapeId n) { return first + n; };
+    twins_.add(prototypes_[prototype_of_[id]].twins(), id_of, rank_of);
   }
 }
 

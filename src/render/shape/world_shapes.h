@@ -26,7 +26,8 @@ class WorldShapes {
   std::span<const ShapeTable<Real>> prototypes() const { return prototypes_; }
   const Placement<Real>& placement(InstanceId id) const { return placements_[id]; }
   PrototypeId prototype_of(InstanceId id) const { return prototype_of_[id]; }
-  // Of single shapes; those of instances are each taken for a surface of its own.
+  // Of single shapes, and of the shapes of each instance. Those of two instances, or of an instance
+  // and single, are each taken for a surface of its own.
   const Twins& twins() const { return has_instances() ? twins_ : singles_.twins(); }
   // Which shape of which table an id is.
   const InstanceIndex& index() const { return index_; }

@@ -4,6 +4,7 @@
 
 #include "render/accel/closest_hit.h"
 #include "render/accel/shape_tree.h"
+#include "render/accel/world_tree.h"
 #include "unit/render/accel/support.h"
 
 namespace alhazen::render {
@@ -56,14 +57,14 @@ struct Stack {
 };
 
 // Where a ray goes on that came along `ray` and met `hit` across the surface, or back from it.
-template <class Real>
-Ray<Real> onward(const ShapeTable<Real>& table, const Ray<Real>& ray, const Hit<Real>& hit) {
+template <class Table, class Real>
+Ray<Real> onward(const Table& table, const Ray<Real>& ray, const Hit<Real>& hit) {
   return {table.plain_surface(hit.shape, ray, hit.crossing()).position, ray.direction};
 }
 
-template <class Real, class Shapes>
-void expect_every_layer(const ShapeTable<Real>& table, const Shapes& shapes, Ray<Real> ray,
-                        const Stack& stack, bool closed) {
+template <class Table, class Shapes, class Real>
+void expect_every_layer(const Table& table, const Shapes& shapes, Ray<Real> ray, const Stack& stack,
+                        bool closed) {
   std::vector<ShapeId> expected;
   Source source;
   Ray<Real> line = ray;
@@ -170,6 +171,42 @@ TEST(Twins, BackFromALayer) {
       source = source_after(source, ray.direction, *hit, true);
     }
     EXPECT_FALSE(closest_hit(table, ray, source, infinity<double>()));
+  }
+}
+
+// In each copy of a group, the order of layers is that of the ranks of its own shapes.
+TEST(Twins, OfAnInstanceAreItsOwn) {
+  Dice dice(74);
+  const Stack stack(alhazen::Sphere{{}, 1}, std::nullopt, dice, 0);
+  SceneShapes scene;
+  const PrototypeId group = scene.add_prototype(stack.shapes);
+  scene.push_back(stack.shapes[1]);
+  for (const double x : {-3.0, 3.0}) {
+    Instance instance;
+    instance.world_from_group = translation({x, 0, 0}) * rotation({1, 2, 3}, 50);
+    instance.prototype = group;
+    scene.push_back(instance);
+  }
+  const ShapeId before = 1, of_group = static_cast<ShapeId>(stack.shapes.size());
+  // Of the first copy the last is outermost, of the second the first is.
+  const WorldShapes<double> shapes(scene, {}, [&](ShapeId id) {
+    return id < before + of_group ? -static_cast<int>(id) : static_cast<int>(id);
+  });
+  const WorldTree<double> tree(shapes);
+  for (ShapeId copy = 0; copy < 2; ++copy) {
+    Stack of_copy = stack;
+    for (ShapeId& layer : of_copy.layers)
+      layer += before + copy * of_group;
+    if (copy == 1) std::reverse(of_copy.layers.begin(), of_copy.layers.end());
+    for (int i = 0; i < 50; ++i) {
+      Vec3d d = dice.direction();
+      d = normalized(Vec3d{0.01 * d.x, d.y, d.z});  // past the other copy
+      const Vec3d at = Vec3d{copy == 0 ? -3.0 : 3.0, 0, 0} + 0.5 * dice.in_cube(1);
+      const Ray<double> ray{at - 5.0 * d, d};
+      expect_every_layer(shapes, shapes, ray, of_copy, true);
+      expect_every_layer(shapes, tree, ray, of_copy, true);
+      ASSERT_FALSE(HasFailure()) << "copy " << copy << " ray " << i;
+    }
   }
 }
 
