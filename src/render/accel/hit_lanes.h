@@ -12,6 +12,13 @@ struct DepartureLanes {
   IntOf<L> shape{-1}, face{kNoFace}, side{static_cast<int>(Side::kByDirection)};
 };
 
+// Whose rays leave on the outside of the surface where `above`.
+template <class L>
+inline IntOf<L> departure_sides(MaskOf<L> above) {
+  return select(above, IntOf<L>(static_cast<int>(Side::kAbove)),
+                IntOf<L>(static_cast<int>(Side::kBelow)));
+}
+
 // Lanes in which nothing was found have no other meaning.
 template <class L>
 struct HitLanes {

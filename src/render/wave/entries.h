@@ -144,15 +144,6 @@ class Numbers {
   ScalarOf<L> number_[L::kWidth];
 };
 template <class L>
-class Vectors {
- public:
-  Vectors(const Vec3<L>& v) : x_(v.x), y_(v.y), z_(v.z) {}
-  Vec3<ScalarOf<L>> operator[](int lane) const { return {x_[lane], y_[lane], z_[lane]}; }
-
- private:
-  Numbers<L> x_, y_, z_;
-};
-template <class L>
 class Colors {
  public:
   Colors(const Rgb<L>& c) : r_(c.r), g_(c.g), b_(c.b) {}

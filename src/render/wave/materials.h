@@ -37,8 +37,7 @@ template <class Real>
 struct MaterialRecord : MaterialRoute {
   Rgb<Real> emission;
   TextureId color = kNoId;  // albedo or reflectance
-  bool textured = false;    // it is not the same everywhere
-  Rgb<Real> solid_color;    // if it is
+  Rgb<Real> solid_color;    // if it is the same everywhere
   HighlightLobe<Real> lobe;
   CoatLayer<Real> coat;
   Rgb<Real> conductor_n, conductor_k;
@@ -59,11 +58,13 @@ class MaterialTable {
       record.one_sided = material.one_sided_emission;
       std::visit([&](const auto& m) { fill(m, around, record); }, material.scattering);
       record.more = record.emits || record.pov_glows || record.pov_reflects || record.pov_clear;
+      std::uint32_t pattern = 0;
       if (record.color != kNoId) {
         const std::optional<Rgb<Real>> everywhere = textures.solid_color(record.color);
-        record.textured = !everywhere;
         record.solid_color = everywhere.value_or(Rgb<Real>{});
+        if (!everywhere) pattern = record.color + 1;
       }
+      patterns_.push_back(pattern);
       routes_.push_back(record);
       ways_.push_back(static_cast<std::uint32_t>(way_of(record)));
       records_.push_back(record);
@@ -96,6 +97,11 @@ class MaterialTable {
   template <class L>
   IntOf<L> ways_of(const IntOf<L>& id, MaskOf<L> active) const {
     return gathered_words<L>(ways_.data(), id, active);
+  }
+  // Of each lane's material 1 + the TextureId of a colour that is not the same everywhere, else 0.
+  template <class L>
+  IntOf<L> patterns_of(const IntOf<L>& id, MaskOf<L> active) const {
+    return gathered_words<L>(patterns_.data(), id, active);
   }
   const MaterialRoute& route(MaterialId id) const { return routes_[id]; }
   const std::vector<int>& priorities() const { return priorities_; }
@@ -146,7 +152,7 @@ class MaterialTable {
 
   std::vector<MaterialRecord<Real>> records_;
   std::vector<MaterialRoute> routes_;  // a few bytes a material: they stay in the cache
-  std::vector<std::uint32_t> ways_;
+  std::vector<std::uint32_t> ways_, patterns_;
   std::vector<int> priorities_;
 };
 

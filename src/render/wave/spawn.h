@@ -87,10 +87,9 @@ class Spawner {
     store_lanes(going, met.position, next.origin, first);
     store_lanes(going, rays.direction, next.direction, first);
     store_lanes(going, rays.weight, next.weight, first);
-    const Int above(static_cast<int>(Side::kAbove)), below(static_cast<int>(Side::kBelow));
     next.source.store(first, going, met.hits.of(wave_.hits.hit.shape),
                       met.hits.of(wave_.hits.hit.face),
-                      select(met.enters == Mask(rays.reflection), above, below), met.incident);
+                      departure_sides<L>(met.enters == Mask(rays.reflection)), met.incident);
     rays.medium.store_compressed(going, next.medium.data() + first);
     const Mask straight = going && rays.straight;
     const Mask counted = straight && !goes_to_and_fro(met, straight);

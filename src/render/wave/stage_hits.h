@@ -3,6 +3,7 @@
 
 #include "render/accel/shape_tree_lanes.h"
 #include "render/wave/passage.h"
+#include "render/wave/surface_color.h"
 #include "render/wave/wave.h"
 
 namespace alhazen::render {
@@ -160,23 +161,6 @@ void add_environment(Wave<Real>& wave) {
       wave, [&](const Vec3<Wide<Real>>& d) { return background.template picture<Wide<Real>>(d); });
 }
 
-// Of several hits, those whose colour is a texture.
-template <class L>
-MaskOf<L> textured(const Wave<ScalarOf<L>>& wave, const Entries<L>& hits) {
-  std::uint32_t bits = 0;
-  for_each_lane(hits.active(), [&](int k) {
-    const bool is = wave.world.materials[wave.hits.material_of(hits[k])].textured;
-    bits |= (is ? 1U : 0U) << k;
-  });
-  return MaskOf<L>::from_bits(bits);
-}
-
-template <class L>
-Rgb<L> solid_colors_of(const Wave<ScalarOf<L>>& wave, const Entries<L>& hits) {
-  return wave.world.materials.template records_of<L>(&MaterialRecord<ScalarOf<L>>::solid_color,
-                                                     hits.of(wave.hits.material), hits.active());
-}
-
 // Position and normals, and where the colour is a texture the coordinates that it asks for. The
 // shading normal is turned to the side that the ray came from.
 template <class Real, bool with_coordinates>
@@ -192,7 +176,7 @@ void find_surfaces(Wave<Real>& wave) {
     const Crossing<L> crossing{at.of(hits.hit.t), at.of(hits.hit.face), enters};
     SurfacePoint<L> point;
     if constexpr (with_coordinates) {
-      const MaskOf<L> asks = textured(wave, at);
+      const MaskOf<L> asks = are_textured<L>(wave.world, at.of(hits.material), at.active());
       const MaskOf<L> others = at.active() && !asks;
       if (any(asks)) point = wave.world.shapes.template surface<L>(shape, ray, crossing, asks);
       if (any(others)) {
@@ -215,8 +199,11 @@ void find_surfaces(Wave<Real>& wave) {
 template <class Real>
 void find_plain_colors(Wave<Real>& wave) {
   using L = Wide<Real>;
-  for_lanes<L>(wave.hits.size(),
-               [&](const Entries<L>& at) { at.store(solid_colors_of(wave, at), wave.hits.color); });
+  for_lanes<L>(wave.hits.size(), [&](const Entries<L>& at) {
+    at.store(wave.world.materials.template records_of<L>(&MaterialRecord<Real>::solid_color,
+                                                         at.of(wave.hits.material), at.active()),
+             wave.hits.color);
+  });
 }
 
 template <class Real>
@@ -224,17 +211,12 @@ void find_textured_colors(Wave<Real>& wave) {
   using L = Wide<Real>;
   auto& hits = wave.hits;
   for_lanes<L>(hits.size(), [&](const Entries<L>& at) {
-    Rgb<L> color = solid_colors_of(wave, at);
-    const MaskOf<L> asks = textured(wave, at);
-    if (any(asks)) {
-      const IntOf<L> texture = per_lane<IntOf<L>>(asks, 0, [&](int k) {
-        return static_cast<LaneInt<Real>>(wave.world.materials[hits.material_of(at[k])].color);
-      });
-      const TexturePoint<L> point{at.of(hits.object_position), at.of(hits.position), at.of(hits.u),
-                                  at.of(hits.v)};
-      color = select(asks, wave.world.textures.template color<L>(texture, point, asks), color);
-    }
-    at.store(color, hits.color);
+    const auto texture_points = [&](MaskOf<L>) {
+      return TexturePoint<L>{at.of(hits.object_position), at.of(hits.position), at.of(hits.u),
+                             at.of(hits.v)};
+    };
+    at.store(surface_colors<L>(wave.world, at.of(hits.material), at.active(), texture_points),
+             hits.color);
   });
 }
 

@@ -23,9 +23,7 @@ struct LightPaths {
         lamp(at.of(paths.light_shape)),
         radiance(at.of(paths.radiance)) {
     const MaskOf<L> above = hits.of(wave.hits.hit.enters) != IntOf<L>(0);
-    from = {hits.of(wave.hits.hit.shape), hits.of(wave.hits.hit.face),
-            select(above, IntOf<L>(static_cast<int>(Side::kAbove)),
-                   IntOf<L>(static_cast<int>(Side::kBelow)))};
+    from = {hits.of(wave.hits.hit.shape), hits.of(wave.hits.hit.face), departure_sides<L>(above)};
   }
   Source source_of(int lane) const { return wave.source_at(hits[lane], false); }
 
@@ -94,24 +92,14 @@ template <class L>
 Rgb<L> pov_shadow(const World<ScalarOf<L>>& world, const Ray<L>& ray, const HitLanes<L>& hit,
                   const IntOf<L>& material, const L& distance, MaskOf<L> which) {
   using Real = ScalarOf<L>;
-  const auto of_material = [&](auto member) {
-    return world.materials.template records_of<L>(member, material, which);
-  };
-  const auto record = [&](int k) -> const MaterialRecord<Real>& {
-    return world.materials[static_cast<MaterialId>(material[k])];
-  };
-  Rgb<L> color = of_material(&MaterialRecord<Real>::solid_color);
-  std::uint32_t textured = 0;
-  for_each_lane(which, [&](int k) { textured |= (record(k).textured ? 1U : 0U) << k; });
-  if (const auto asks = MaskOf<L>::from_bits(textured); any(asks)) {
+  const auto texture_points = [&](MaskOf<L> asks) {
     const SurfacePoint<L> p = world.shapes.template surface<L>(
         hit.shape, ray, Crossing<L>{hit.t, hit.face, hit.enters}, asks);
-    const IntOf<L> texture = per_lane<IntOf<L>>(
-        asks, 0, [&](int k) { return static_cast<LaneInt<Real>>(record(k).color); });
-    const TexturePoint<L> at{p.object_position, p.position, p.u, p.v};
-    color = select(asks, world.textures.template color<L>(texture, at, asks), color);
-  }
-  const PovSurface<L> surface = of_material(&MaterialRecord<Real>::pov);
+    return TexturePoint<L>{p.object_position, p.position, p.u, p.v};
+  };
+  const Rgb<L> color = surface_colors<L>(world, material, which, texture_points);
+  const PovSurface<L> surface =
+      world.materials.template records_of<L>(&MaterialRecord<Real>::pov, material, which);
   const Rgb<L> share = pov_passed(surface, color);
   const MaskOf<L> fades = which && surface.fades != L(0) && !hit.enters;
   return any(fades) ? select(fades, share * pov_fade(surface, distance), share) : share;
