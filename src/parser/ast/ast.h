@@ -1,30 +1,33 @@
 // parser/ast: what the author wrote, as a tree. Nothing is evaluated and nothing is lost: every
-// node knows its span, names know theirs, and comments hang on the items they belong to.
+// node knows its span, names know theirs, and comments hang on the items they belong to. Nodes live
+// in the arena of their tree, and most of their texts in the SourceManager's, which outlives it.
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <string>
+#include <span>
+#include <string_view>
 #include <variant>
-#include <vector>
 
 #include "core/diag/source.h"
+#include "parser/ast/arena.h"
 
 namespace alhazen::ast {
 
 struct Expr;
 struct Item;
-using ExprPtr = std::unique_ptr<Expr>;  // never null in a finished tree unless a field says so
-using ItemPtr = std::unique_ptr<Item>;
+using ExprPtr = const Expr*;  // never null in a finished tree unless a field says so
+using ItemPtr = const Item*;
+template <class T>
+using List = std::span<const T>;
 
 struct Name {
-  std::string text;
+  std::string_view text;
   SourceSpan span;
 };
 
 // `text` with its delimiters: "// like this" or "/* so */".
 struct Comment {
-  std::string text;
+  std::string_view text;
   SourceSpan span;
   bool blank_line_before = false;
 };
@@ -32,8 +35,8 @@ struct Comment {
 // "{" items "}". `dangling` are the comments after the last item.
 struct Body {
   SourceSpan span;
-  std::vector<ItemPtr> items;
-  std::vector<Comment> dangling;
+  List<ItemPtr> items;
+  List<Comment> dangling;
 };
 
 // ---- expressions ------------------------------------------------------------------------------
@@ -47,7 +50,7 @@ struct AngleLiteral {
   AngleUnit unit;
 };
 struct StringLiteral {
-  std::string value;  // escapes resolved
+  std::string_view value;  // escapes resolved
 };
 struct HexColor {
   int red, green, blue;  // 0 to 255, sRGB
@@ -56,23 +59,23 @@ struct BoolLiteral {
   bool value;
 };
 struct NameRef {
-  std::string name;
+  std::string_view name;
 };
 struct VectorLiteral {
-  std::vector<ExprPtr> components;  // two or three
+  List<ExprPtr> components;  // two or three
 };
 struct ListLiteral {
-  std::vector<ExprPtr> elements;
+  List<ExprPtr> elements;
 };
 struct Parenthesized {
-  ExprPtr inner;
+  ExprPtr inner = nullptr;
 };
 
 enum class UnaryOperator { negate, logical_not };
 struct Unary {
   UnaryOperator op;
   SourceSpan op_span;
-  ExprPtr operand;
+  ExprPtr operand = nullptr;
 };
 
 enum class BinaryOperator {
@@ -94,37 +97,37 @@ enum class BinaryOperator {
 struct Binary {
   BinaryOperator op;
   SourceSpan op_span;
-  ExprPtr left, right;
+  ExprPtr left = nullptr, right = nullptr;
 };
 
 struct Range {
-  ExprPtr first, last;
-  bool inclusive;  // ..= rather than ..
-  ExprPtr step;    // null without `by`
+  ExprPtr first = nullptr, last = nullptr;
+  bool inclusive = false;  // ..= rather than ..
+  ExprPtr step = nullptr;  // null without `by`
 };
 struct Conditional {
-  ExprPtr condition, then_value, else_value;
+  ExprPtr condition = nullptr, then_value = nullptr, else_value = nullptr;
 };
 struct Member {
-  ExprPtr object;
+  ExprPtr object = nullptr;
   Name member;
 };
 struct Index {
-  ExprPtr object, index;
+  ExprPtr object = nullptr, index = nullptr;
 };
 struct Argument {
   std::optional<Name> name;
-  ExprPtr value;
+  ExprPtr value = nullptr;
 };
 struct Call {
-  ExprPtr callee;
-  std::vector<Argument> arguments;
+  ExprPtr callee = nullptr;
+  List<Argument> arguments;
   SourceSpan arguments_span;  // with the parentheses
 };
 // `head { ... }`: head is a NameRef or a Call. Whether it makes a new glass or varies a value of
 // that name is for eval to say.
 struct Block {
-  ExprPtr head;
+  ExprPtr head = nullptr;
   Body body;
 };
 // Stands where something could not be parsed; the diagnostic has been reported.
@@ -143,46 +146,46 @@ struct Expr {
 
 struct Let {
   Name name;
-  ExprPtr value;
+  ExprPtr value = nullptr;
 };
 struct Param {
   Name name;
-  ExprPtr value;
-  ExprPtr range;  // null without `in`
-  std::optional<Expr> text;
+  ExprPtr value = nullptr;
+  ExprPtr range = nullptr;  // null without `in`
+  ExprPtr text = nullptr;   // null if there is none
 };
 struct Parameter {
   Name name;
-  ExprPtr default_value;  // null if there is none
+  ExprPtr default_value = nullptr;  // null if there is none
 };
 struct Function {
   Name name;
-  std::vector<Parameter> parameters;
+  List<Parameter> parameters;
   std::variant<ExprPtr, Body> body;  // `= expression`, or items that place shapes or return a value
 };
 struct For {
   Name variable;
-  ExprPtr sequence;
+  ExprPtr sequence = nullptr;
   Body body;
 };
 struct If {
-  ExprPtr condition;
+  ExprPtr condition = nullptr;
   Body then_body;
   std::variant<std::monostate, ItemPtr, Body> else_branch;  // the item is an If
 };
 struct Include {
-  std::string path;
+  std::string_view path;
   SourceSpan path_span;
 };
 struct Assert {
-  ExprPtr condition;
-  ExprPtr message;  // null if there is none
+  ExprPtr condition = nullptr;
+  ExprPtr message = nullptr;  // null if there is none
 };
 struct Print {
-  std::vector<ExprPtr> values;
+  List<ExprPtr> values;
 };
 struct Return {
-  ExprPtr value;
+  ExprPtr value = nullptr;
 };
 // `radius 2`, `material glass { ... }`, `sphere { ... }`, `camera perspective { ... }`.
 struct Property {
@@ -192,15 +195,15 @@ struct Property {
 // `tower(3)`, `tower(3) { translate x }` where an item stands: the object, a Call or a Block whose
 // head is a Call, takes its place in the scene.
 struct Placement {
-  ExprPtr object;
+  ExprPtr object = nullptr;
 };
 struct ErrorItem {};
 
 struct Item {
   SourceSpan span;
-  std::vector<Comment> leading;    // on the lines before
-  std::vector<Comment> interior;   // between its tokens, outside of its bodies
-  std::vector<Comment> trailing;   // on the same line, after
+  List<Comment> leading;           // on the lines before
+  List<Comment> interior;          // between its tokens, outside of its bodies
+  List<Comment> trailing;          // on the same line, after
   bool blank_line_before = false;  // one blank line of the author's is kept by the formatter
   std::variant<Let, Param, Function, For, If, Include, Assert, Print, Return, Placement, Property,
                ErrorItem>
@@ -208,12 +211,19 @@ struct Item {
 };
 
 struct File {
+  Arena arena;
   FileId id = kNoFile;
   int version = 1;
   SourceSpan header;
-  std::vector<Comment> header_trailing;  // on the header's line
-  std::vector<ItemPtr> items;
-  std::vector<Comment> dangling;  // after the last item
+  List<Comment> header_trailing;  // on the header's line
+  List<ItemPtr> items;
+  List<Comment> dangling;  // after the last item
+};
+
+// An expression that is a text of its own.
+struct WholeExpr {
+  Arena arena;
+  ExprPtr root = nullptr;
 };
 
 }  // namespace alhazen::ast

@@ -37,18 +37,18 @@ class Dumper {
     if (expr) expression(*expr);
   }
   void part(const Body& body) { this->body(body); }
-  void part(const std::vector<ExprPtr>& list) {
+  void part(List<ExprPtr> list) {
     for (const ExprPtr& expr : list)
       part(expr);
   }
-  void part(const std::vector<ItemPtr>& list) {
+  void part(List<ItemPtr> list) {
     for (const ItemPtr& item : list)
       this->item(*item);
   }
-  void part(const std::vector<Argument>& arguments);
-  void part(const std::vector<Parameter>& parameters);
+  void part(List<Argument> arguments);
+  void part(List<Parameter> parameters);
 
-  void comments(std::string_view where, const std::vector<Comment>& comments);
+  void comments(std::string_view where, List<Comment> comments);
   void body(const Body& body);
   void item(const Item& item);
   void expression(const Expr& expr);
@@ -97,7 +97,7 @@ void Dumper::file(const File& file) {
   comments("dangling", file.dangling);
 }
 
-void Dumper::comments(std::string_view where, const std::vector<Comment>& comments) {
+void Dumper::comments(std::string_view where, List<Comment> comments) {
   if (!style_.comments) return;
   ++depth_;
   for (const Comment& comment : comments)
@@ -122,7 +122,7 @@ void Dumper::expression(const Expr& expr) {
   std::visit([&](const auto& what) { node(expr.span, what); }, expr.node);
 }
 
-void Dumper::part(const std::vector<Argument>& arguments) {
+void Dumper::part(List<Argument> arguments) {
   for (const Argument& argument : arguments) {
     if (argument.name) {
       line(argument.name->span, "argument {}", argument.name->text);
@@ -133,7 +133,7 @@ void Dumper::part(const std::vector<Argument>& arguments) {
   }
 }
 
-void Dumper::part(const std::vector<Parameter>& parameters) {
+void Dumper::part(List<Parameter> parameters) {
   for (const Parameter& parameter : parameters) {
     line(parameter.name.span, "parameter {}", parameter.name.text);
     deeper(parameter.default_value);
@@ -147,11 +147,7 @@ void Dumper::node(SourceSpan at, const Let& let) {
 
 void Dumper::node(SourceSpan at, const Param& param) {
   line(at, "param {}", param.name.text);
-  deeper(param.value, param.range);
-  if (!param.text) return;
-  ++depth_;
-  expression(*param.text);
-  --depth_;
+  deeper(param.value, param.range, param.text);
 }
 
 void Dumper::node(SourceSpan at, const Function& function) {

@@ -46,7 +46,7 @@ Value Evaluator::evaluate_range(const ast::Range& range, const ScopePtr& scope) 
 Value Evaluator::evaluate_member(const ast::Member& member, const ScopePtr& scope) {
   const Value object = evaluate(*member.object, scope);
   if (object.is_poison()) return Poison{};
-  const std::string& name = member.member.text;
+  const std::string_view name = member.member.text;
   const auto index_in = [&](std::string_view letters) {
     return name.size() == 1 ? letters.find(name[0]) : std::string_view::npos;
   };

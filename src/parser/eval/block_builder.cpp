@@ -155,7 +155,7 @@ std::optional<Property> BlockBuilder::read(const PropertySpec& spec, const ast::
         std::find(spec.words.begin(), spec.words.end(), name->name) != spec.words.end();
     const bool is_unknown_word = !spec.words.empty() && scope->find(name->name) == nullptr;
     if (is_word || is_unknown_word) {
-      const Value word = context.make_text(name->name, expr.span);
+      const Value word = context.make_text(std::string(name->name), expr.span);
       if (word.is_poison() || !check_property(context, spec, word, expr.span)) return std::nullopt;
       return Property{&spec, word, nullptr, {}, expr.span};
     }
@@ -235,9 +235,9 @@ void BlockBuilder::report_unknown(const ast::Name& name, const ScopePtr& scope) 
     d.hint(fmt::format("did you mean `{}`?", *meant));
   } else if (schema.places && binding != nullptr &&
              (binding->value.is(Type::function) || binding->value.is(Type::object))) {
-    d.hint(fmt::format("to place it write `{}`", binding->value.is(Type::function)
-                                                     ? name.text + "(...)"
-                                                     : "object " + name.text));
+    d.hint(binding->value.is(Type::function)
+               ? fmt::format("to place it write `{}(...)`", name.text)
+               : fmt::format("to place it write `object {}`", name.text));
   } else if (schema.places && find_schema(material_schemas(), name.text) != nullptr) {
     d.hint(fmt::format("a material belongs to something: `material {} {{ ... }}`", name.text));
   } else if (!schema.places) {

@@ -15,7 +15,7 @@
 namespace alhazen::parser {
 
 class BlockBuilder;
-using Items = std::vector<ast::ItemPtr>;
+using Items = ast::List<ast::ItemPtr>;
 
 // Whether the items after this one still run.
 enum class Flow { next, returned };
@@ -46,7 +46,7 @@ class Evaluator {
   Value evaluate(const ast::Expr& expr, const ScopePtr& scope);
 
   // statement.cpp
-  Flow run(const Items& items, const Body& body);
+  Flow run(Items items, const Body& body);
 
   // place.cpp: the object that an expression is, as a node; reports what is not an object.
   std::optional<Node> place_value(const ast::Expr& expr, SourceSpan span, const ScopePtr& scope);
@@ -126,7 +126,7 @@ class Evaluator {
   ScopePool scopes_;
   ScopePtr root_;                                                       // of the main text
   std::unordered_map<std::string, std::unique_ptr<ParsedFile>> files_;  // by canonical path
-  std::vector<ast::ExprPtr> define_values_;
+  std::vector<ast::WholeExpr> define_values_;
   std::vector<std::string> include_stack_;
   std::vector<std::string_view> defines_used_;
   std::vector<ScopePtr> captured_;  // scopes that functions see

@@ -29,41 +29,43 @@ Value Evaluator::evaluate(const ast::Expr& expr, const ScopePtr& scope) {
 
 Value Evaluator::evaluate_node(const ast::Expr& expr, const ScopePtr& scope) {
   return std::visit(
-      Overloaded{
-          [&](const ast::NumberLiteral& n) -> Value { return n.value; },
-          [&](const ast::AngleLiteral& a) {
-            const double deg =
-                a.unit == ast::AngleUnit::deg ? a.value : a.value * 180 / alhazen::pi<double>();
-            return alhazen::is_finite(deg) ? Value(Angle{deg})
-                                           : report_not_finite(context_, expr.span);
-          },
-          [&](const ast::StringLiteral& s) { return context_.make_text(s.value, expr.span); },
-          [&](const ast::HexColor& c) -> Value {
-            return working_from_rec709(
-                context_.options().working_from_rec709,
-                {srgb_to_linear(c.red / 255.0), srgb_to_linear(c.green / 255.0),
-                 srgb_to_linear(c.blue / 255.0)});
-          },
-          [&](const ast::BoolLiteral& b) -> Value { return b.value; },
-          [&](const ast::NameRef& n) { return evaluate_name(expr, n.name, scope); },
-          [&](const ast::VectorLiteral& v) { return evaluate_vector(v, scope); },
-          [&](const ast::ListLiteral& l) { return evaluate_list(expr, l, scope); },
-          [&](const ast::Parenthesized& p) { return evaluate(*p.inner, scope); },
-          [&](const ast::Unary& u) {
-            return apply_unary(context_, u.op, evaluate(*u.operand, scope), u.operand->span);
-          },
-          [&](const ast::Binary&) { return evaluate_chain(expr, scope); },
-          [&](const ast::Range& r) { return evaluate_range(r, scope); },
-          [&](const ast::Conditional& c) {
-            const auto holds = evaluate_condition(*c.condition, "`if`", scope);
-            if (!holds) return Value(Poison{});
-            return evaluate(*holds ? *c.then_value : *c.else_value, scope);
-          },
-          [&](const ast::Member& m) { return evaluate_member(m, scope); },
-          [&](const ast::Index& i) { return evaluate_index(i, scope); },
-          [&](const ast::Call& c) { return evaluate_call(expr, c, scope); },
-          [&](const ast::Block& b) { return evaluate_block(expr, b, scope); },
-          [&](const ast::ErrorExpr&) -> Value { return Poison{}; }},
+      Overloaded{[&](const ast::NumberLiteral& n) -> Value { return n.value; },
+                 [&](const ast::AngleLiteral& a) {
+                   const double deg = a.unit == ast::AngleUnit::deg
+                                          ? a.value
+                                          : a.value * 180 / alhazen::pi<double>();
+                   return alhazen::is_finite(deg) ? Value(Angle{deg})
+                                                  : report_not_finite(context_, expr.span);
+                 },
+                 [&](const ast::StringLiteral& s) {
+                   return context_.make_text(std::string(s.value), expr.span);
+                 },
+                 [&](const ast::HexColor& c) -> Value {
+                   return working_from_rec709(
+                       context_.options().working_from_rec709,
+                       {srgb_to_linear(c.red / 255.0), srgb_to_linear(c.green / 255.0),
+                        srgb_to_linear(c.blue / 255.0)});
+                 },
+                 [&](const ast::BoolLiteral& b) -> Value { return b.value; },
+                 [&](const ast::NameRef& n) { return evaluate_name(expr, n.name, scope); },
+                 [&](const ast::VectorLiteral& v) { return evaluate_vector(v, scope); },
+                 [&](const ast::ListLiteral& l) { return evaluate_list(expr, l, scope); },
+                 [&](const ast::Parenthesized& p) { return evaluate(*p.inner, scope); },
+                 [&](const ast::Unary& u) {
+                   return apply_unary(context_, u.op, evaluate(*u.operand, scope), u.operand->span);
+                 },
+                 [&](const ast::Binary&) { return evaluate_chain(expr, scope); },
+                 [&](const ast::Range& r) { return evaluate_range(r, scope); },
+                 [&](const ast::Conditional& c) {
+                   const auto holds = evaluate_condition(*c.condition, "`if`", scope);
+                   if (!holds) return Value(Poison{});
+                   return evaluate(*holds ? *c.then_value : *c.else_value, scope);
+                 },
+                 [&](const ast::Member& m) { return evaluate_member(m, scope); },
+                 [&](const ast::Index& i) { return evaluate_index(i, scope); },
+                 [&](const ast::Call& c) { return evaluate_call(expr, c, scope); },
+                 [&](const ast::Block& b) { return evaluate_block(expr, b, scope); },
+                 [&](const ast::ErrorExpr&) -> Value { return Poison{}; }},
       expr.node);
 }
 
@@ -154,7 +156,7 @@ Value Evaluator::evaluate_chain(const ast::Expr& expr, const ScopePtr& scope) {
   const ast::Expr* leftmost = &expr;
   while (const auto* binary = std::get_if<ast::Binary>(&leftmost->node)) {
     chain.push_back(binary);
-    leftmost = binary->left.get();
+    leftmost = binary->left;
   }
   if (!context_.spend_fuel(chain.size(), expr.span)) return Poison{};
   Value value = evaluate(*leftmost, scope);

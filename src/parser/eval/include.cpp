@@ -37,7 +37,7 @@ void Evaluator::run_include(const ast::Include& include, const Body& body) {
 
 // False if the text cannot be had.
 bool Evaluator::try_include(const ast::Include& include, const Body& body) {
-  const auto path = resolve_file(context_, include.path_span, include.path);
+  const auto path = resolve_file(context_, include.path_span, std::string(include.path));
   if (!path) return false;
   const std::string key = path->string();
   const auto on_stack = std::find(include_stack_.begin(), include_stack_.end(), key);

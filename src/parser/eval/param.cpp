@@ -51,16 +51,16 @@ std::optional<Value> Evaluator::override_for(const ast::Param& param, const Valu
   const SourceSpan whole = show_define(*define);
   context_.sink().set_trace({});
   const std::size_t errors_before = context_.sink().error_count();
-  ast::ExprPtr expr =
+  ast::WholeExpr expr =
       parse_expression(whole.file, whole.begin, context_.sources(), context_.sink());
   if (context_.sink().error_count() > errors_before) return std::nullopt;
-  if (expr == nullptr) {
+  if (expr.root == nullptr) {
     context_.report<DiagnosticKind::define_not_expression>(whole, define->name);
     return std::nullopt;
   }
   // Only what is built in is visible: the value does not depend on where the parameter stands.
   define_values_.push_back(std::move(expr));
-  const Value value = evaluate(*define_values_.back(), std::make_shared<Scope>(nullptr));
+  const Value value = evaluate(*define_values_.back().root, std::make_shared<Scope>(nullptr));
   if (value.is_poison()) return std::nullopt;
   if (value.type() != default_value.type()) {
     context_
@@ -114,13 +114,14 @@ void Evaluator::run_param(const ast::Param& param, const Body& body) {
     value = *overridden;
     if (param.range && !lies_in(value, range)) {
       context_
-          .report<DiagnosticKind::define_out_of_range>(define_values_.back()->span, param.name.text,
-                                                       to_text(range, 80), to_text(value, 80))
+          .report<DiagnosticKind::define_out_of_range>(define_values_.back().root->span,
+                                                       param.name.text, to_text(range, 80),
+                                                       to_text(value, 80))
           .label(param.range->span, "the range");
     }
   }
   if (!define(param.name, value, body)) return;
-  out_.params.push_back({param.name.text, std::string(type_name(by_default.type())),
+  out_.params.push_back({std::string(param.name.text), std::string(type_name(by_default.type())),
                          to_text(by_default), to_text(value), param.range ? to_text(range) : "",
                          text.is(Type::string) ? text.text() : "", param.name.span});
 }

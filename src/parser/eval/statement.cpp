@@ -7,7 +7,7 @@
 
 namespace alhazen::parser {
 
-Flow Evaluator::run(const Items& items, const Body& body) {
+Flow Evaluator::run(Items items, const Body& body) {
   for (const ast::ItemPtr& item : items) {
     if (!context_.spend_fuel(1, item->span)) return Flow::returned;
     if (run_item(*item, body) == Flow::returned) return Flow::returned;

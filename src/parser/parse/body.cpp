@@ -13,12 +13,14 @@ ast::Body Parser::parse_body() {
   const std::uint32_t indentation = tokens_.indentation(opener);
   const auto interior_outside = std::exchange(interior_, {});
 
+  std::vector<ast::ItemPtr> items;
   for (;;) {
     watch_indentation(span(opener), indentation);
     if (at(TokenKind::right_brace) || at(TokenKind::end)) break;
-    body.items.push_back(parse_item());
+    items.push_back(parse_item());
   }
-  body.dangling = tokens_.take_comments();
+  body.items = list(items);
+  body.dangling = list(tokens_.take_comments());
   interior_ = interior_outside;
   if (!take(TokenKind::right_brace)) fail_unclosed_body(span(opener));
   body.span = span_from(opener.begin);

@@ -43,11 +43,11 @@ ast::If Parser::parse_if() {
   }
   Nesting nesting(*this);
   if (!nesting.allowed()) return branch;
-  auto item = std::make_unique<ast::Item>();
+  ast::Item item;
   const std::uint32_t begin = peek().begin;
-  item->node = parse_if();
-  item->span = span_from(begin);
-  branch.else_branch = std::move(item);
+  item.node = parse_if();
+  item.span = span_from(begin);
+  branch.else_branch = arena_.add(item);
   return branch;
 }
 

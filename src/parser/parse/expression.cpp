@@ -5,8 +5,8 @@
 
 namespace alhazen::parser {
 
-ast::ExprPtr Parser::make(std::uint32_t begin, Node node, int below) {
-  auto made = std::make_unique<ast::Expr>(ast::Expr{span_from(begin), std::move(node), below + 1});
+ast::ExprPtr Parser::make(std::uint32_t begin, const Node& node, int below) {
+  const auto* made = arena_.add(ast::Expr{span_from(begin), node, below + 1});
   tallest_ = std::max(tallest_, made->height);
   if (made->height <= limits_.max_height) return made;
   fail<DiagnosticKind::expression_too_long>(made->span, limits_.max_height)
@@ -15,8 +15,7 @@ ast::ExprPtr Parser::make(std::uint32_t begin, Node node, int below) {
 }
 
 ast::ExprPtr Parser::error_expression(const Token& before) {
-  return std::make_unique<ast::Expr>(
-      ast::Expr{{file_, before.begin, before.begin}, ast::ErrorExpr{}, 1});
+  return arena_.add(ast::Expr{{file_, before.begin, before.begin}, ast::ErrorExpr{}, 1});
 }
 
 bool Parser::at_item_keyword() {
@@ -85,7 +84,7 @@ ast::ExprPtr Parser::parse_conditional() {
   conditional.else_value = parse_expression();
   const int below = std::max({conditional.condition->height, conditional.then_value->height,
                               conditional.else_value->height});
-  return make(begin.begin, std::move(conditional), below);
+  return make(begin.begin, conditional, below);
 }
 
 // range       = or [ ( ".." | "..=" ) or [ "by" or ] ] ;
@@ -94,13 +93,13 @@ ast::ExprPtr Parser::parse_range() {
   ast::ExprPtr first = parse_or();
   if (!at(TokenKind::range) && !at(TokenKind::range_inclusive)) return first;
   const bool inclusive = next().kind == TokenKind::range_inclusive;
-  ast::Range range{std::move(first), parse_or(), inclusive, nullptr};
+  ast::Range range{first, parse_or(), inclusive, nullptr};
   int below = std::max(range.first->height, range.last->height);
   if (take(TokenKind::kw_by)) {
     range.step = parse_or();
     below = std::max(below, range.step->height);
   }
-  return make(begin, std::move(range), below);
+  return make(begin, range, below);
 }
 
 }  // namespace alhazen::parser

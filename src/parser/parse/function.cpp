@@ -12,10 +12,12 @@ ast::Function Parser::parse_function() {
   const SourceSpan opener = span(peek());
   if (expect(TokenKind::left_paren)) {
     const Scoped brackets(open_brackets_, open_brackets_ + 1);
+    std::vector<ast::Parameter> parameters;
     while (!at(TokenKind::right_paren)) {
-      function.parameters.push_back(parse_parameter());
+      parameters.push_back(parse_parameter());
       if (!take(TokenKind::comma)) break;
     }
+    function.parameters = list(parameters);
     close(TokenKind::right_paren, opener, "`,` or `)`");
   }
   if (at(TokenKind::left_brace)) {

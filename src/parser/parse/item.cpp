@@ -5,21 +5,21 @@
 namespace alhazen::parser {
 
 ast::ItemPtr Parser::parse_item() {
-  auto item = std::make_unique<ast::Item>();
-  item->leading = tokens_.take_comments();
-  item->blank_line_before = peek().blank_line_before;
+  ast::Item item;
+  item.leading = list(tokens_.take_comments());
+  item.blank_line_before = peek().blank_line_before;
   const std::uint32_t begin = peek().begin;
   const auto interior_outside = std::exchange(interior_, {});
   {
     const Scoped brackets(open_brackets_, 0);
     const Scoped objects(objects_allowed_, true);
-    parse_item_node(*item);
+    parse_item_node(item);
   }
   if (panic_) synchronize();
-  item->span = span_from(begin);
-  item->interior = std::exchange(interior_, interior_outside);
-  item->trailing = tokens_.take_trailing_comments();
-  return item;
+  item.span = span_from(begin);
+  item.interior = list(std::exchange(interior_, interior_outside));
+  item.trailing = list(tokens_.take_trailing_comments());
+  return arena_.add(item);
 }
 
 // item        = let | param | function | for | if | include | assert | print | return
@@ -83,7 +83,7 @@ ast::Param Parser::parse_param() {
   expect(TokenKind::equal);
   param.value = parse_expression();
   if (take(TokenKind::kw_in)) param.range = parse_expression();
-  if (at(TokenKind::string)) param.text = std::move(*parse_literal());
+  if (at(TokenKind::string)) param.text = parse_literal();
   return param;
 }
 
@@ -94,7 +94,7 @@ ast::Include Parser::parse_include() {
   const Token path = peek();
   if (!expect(TokenKind::string)) return include;
   include.path_span = span(path);
-  if (path.flaw == Flaw::none) include.path = read_string(text(path));
+  if (path.flaw == Flaw::none) include.path = arena_.text(read_string(text(path)));
   return include;
 }
 
@@ -110,11 +110,11 @@ ast::Assert Parser::parse_assert() {
 // print       = "print" expression { "," expression } ;
 ast::Print Parser::parse_print() {
   next();
-  ast::Print print;
+  std::vector<ast::ExprPtr> values;
   do {
-    print.values.push_back(parse_expression());
+    values.push_back(parse_expression());
   } while (take(TokenKind::comma));
-  return print;
+  return {list(values)};
 }
 
 // return      = "return" expression ;

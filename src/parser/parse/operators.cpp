@@ -12,7 +12,7 @@ ast::ExprPtr Parser::binary(BinaryOperator op, const Token& token, ast::ExprPtr 
                             ast::ExprPtr right) {
   const std::uint32_t begin = left->span.begin;
   const int below = std::max(left->height, right->height);
-  return make(begin, ast::Binary{op, span(token), std::move(left), std::move(right)}, below);
+  return make(begin, ast::Binary{op, span(token), left, right}, below);
 }
 
 ast::ExprPtr Parser::parse_chain(ast::ExprPtr (Parser::*operand)(),
@@ -23,7 +23,7 @@ ast::ExprPtr Parser::parse_chain(ast::ExprPtr (Parser::*operand)(),
         std::find_if(ops.begin(), ops.end(), [&](const Operator& o) { return at(o.token); });
     if (found == ops.end()) return left;
     const Token token = next();
-    left = binary(found->op, token, std::move(left), (this->*operand)());
+    left = binary(found->op, token, left, (this->*operand)());
   }
 }
 
@@ -45,8 +45,7 @@ ast::ExprPtr Parser::parse_not() {
   if (!nesting.allowed()) return error_expression();
   ast::ExprPtr operand = parse_not();
   const int below = operand->height;
-  return make(token.begin, ast::Unary{UnaryOperator::logical_not, span(token), std::move(operand)},
-              below);
+  return make(token.begin, ast::Unary{UnaryOperator::logical_not, span(token), operand}, below);
 }
 
 // comparison  = sum [ ( "<" | "<=" | ">" | ">=" | "==" | "!=" ) sum ] ;
@@ -67,7 +66,7 @@ ast::ExprPtr Parser::parse_comparison() {
   const auto* found = comparison();
   if (found == std::end(kComparisons)) return left;
   const Token token = next();
-  ast::ExprPtr whole = binary(found->op, token, std::move(left), parse_sum());
+  ast::ExprPtr whole = binary(found->op, token, left, parse_sum());
   if (comparison() != std::end(kComparisons)) {
     fail<DiagnosticKind::chained_comparison>(span(peek()))
         .label(span(token), "the first comparison is here")
@@ -97,8 +96,7 @@ ast::ExprPtr Parser::parse_unary() {
   if (!nesting.allowed()) return error_expression();
   ast::ExprPtr operand = parse_unary();
   const int below = operand->height;
-  return make(token.begin, ast::Unary{UnaryOperator::negate, span(token), std::move(operand)},
-              below);
+  return make(token.begin, ast::Unary{UnaryOperator::negate, span(token), operand}, below);
 }
 
 // power       = postfix [ "^" unary ] ;
@@ -108,7 +106,7 @@ ast::ExprPtr Parser::parse_power() {
   const Token token = next();
   Nesting nesting(*this);
   if (!nesting.allowed()) return error_expression();
-  return binary(BinaryOperator::power, token, std::move(base), parse_unary());
+  return binary(BinaryOperator::power, token, base, parse_unary());
 }
 
 }  // namespace alhazen::parser

@@ -19,31 +19,36 @@ ast::File parse(FileId file, const SourceManager& sources, DiagnosticSink& sink,
 
   // A wrong header line is passed over; text without one is read from its beginning.
   const bool has_line = header.state == HeaderState::good || header.state == HeaderState::malformed;
-  Parser parser(file, text, has_line ? header.span.end : 0, sink, limits);
+  Parser parser(file, text, has_line ? header.span.end : 0, sink, limits, tree.arena);
   parser.parse_scene(tree);
   return tree;
 }
 
-ast::ExprPtr parse_expression(FileId file, std::uint32_t begin, const SourceManager& sources,
-                              DiagnosticSink& sink, const ParseLimits& limits) {
-  return Parser(file, sources.text(file), begin, sink, limits).parse_whole_expression();
+ast::WholeExpr parse_expression(FileId file, std::uint32_t begin, const SourceManager& sources,
+                                DiagnosticSink& sink, const ParseLimits& limits) {
+  ast::WholeExpr whole;
+  Parser parser(file, sources.text(file), begin, sink, limits, whole.arena);
+  whole.root = parser.parse_whole_expression();
+  return whole;
 }
 
 Parser::Parser(FileId file, std::string_view text, std::uint32_t begin, DiagnosticSink& sink,
-               const ParseLimits& limits)
-    : file_(file), sink_(sink), limits_(limits), tokens_(file, text, begin, sink) {}
+               const ParseLimits& limits, ast::Arena& arena)
+    : file_(file), sink_(sink), limits_(limits), arena_(arena), tokens_(file, text, begin, sink) {}
 
 // scene       = HEADER { item } END ;
 void Parser::parse_scene(ast::File& file) {
-  file.header_trailing = tokens_.take_trailing_comments();
+  file.header_trailing = list(tokens_.take_trailing_comments());
+  std::vector<ast::ItemPtr> items;
   while (!at(TokenKind::end))
-    file.items.push_back(parse_item());
-  file.dangling = tokens_.take_comments();
+    items.push_back(parse_item());
+  file.items = list(items);
+  file.dangling = list(tokens_.take_comments());
 }
 
 ast::ExprPtr Parser::parse_whole_expression() {
   ast::ExprPtr expression = parse_expression();
-  return panic_ || !at(TokenKind::end) ? nullptr : std::move(expression);
+  return panic_ || !at(TokenKind::end) ? nullptr : expression;
 }
 
 }  // namespace alhazen::parser

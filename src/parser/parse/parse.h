@@ -8,7 +8,7 @@
 
 namespace alhazen::parser {
 
-// A limit exceeded is a diagnostic. The evaluator, the printer and the destructor walk the tree by
+// A limit exceeded is a diagnostic. The evaluator and the printer walk the tree by
 // recursion: the second limit bounds their stack, also for a + a + a + ..., which is deep to the
 // left.
 struct ParseLimits {
@@ -21,9 +21,9 @@ struct ParseLimits {
 ast::File parse(FileId file, const SourceManager& sources, DiagnosticSink& sink,
                 const ParseLimits& limits = {});
 
-// The expression that the text is from byte `begin` to its end. Null if something is wrong with it,
-// which is reported, or if something follows it, which is not.
-ast::ExprPtr parse_expression(FileId file, std::uint32_t begin, const SourceManager& sources,
-                              DiagnosticSink& sink, const ParseLimits& limits = {});
+// The expression that the text is from byte `begin` to its end. Its root is null if something is
+// wrong with it, which is reported, or if something follows it, which is not.
+ast::WholeExpr parse_expression(FileId file, std::uint32_t begin, const SourceManager& sources,
+                                DiagnosticSink& sink, const ParseLimits& limits = {});
 
 }  // namespace alhazen::parser

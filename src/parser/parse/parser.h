@@ -24,7 +24,7 @@ namespace alhazen::parser {
 class Parser {
  public:
   Parser(FileId file, std::string_view text, std::uint32_t begin, DiagnosticSink& sink,
-         const ParseLimits& limits);
+         const ParseLimits& limits, ast::Arena& arena);
 
   void parse_scene(ast::File& file);
   ast::ExprPtr parse_whole_expression();
@@ -88,7 +88,7 @@ class Parser {
   using Node = decltype(ast::Expr::node);
   // An expression from byte `begin` to the token consumed last. `below` is the height of its
   // highest part; beyond the limit the tree is dropped, reported, and an ErrorExpr stands for it.
-  ast::ExprPtr make(std::uint32_t begin, Node node, int below = 0);
+  ast::ExprPtr make(std::uint32_t begin, const Node& node, int below = 0);
   // In place of what is missing before a token, by default the next.
   ast::ExprPtr error_expression() { return error_expression(peek()); }
   ast::ExprPtr error_expression(const Token& before);
@@ -103,7 +103,12 @@ class Parser {
   std::string_view text(const Token& token) const { return tokens_.text(token); }
   SourceSpan span(const Token& token) const { return tokens_.span(token); }
   SourceSpan span_from(std::uint32_t begin) const { return {file_, begin, tokens_.last_end()}; }
-  ast::Name name_of(const Token& token) const { return {std::string(text(token)), span(token)}; }
+  ast::Name name_of(const Token& token) const { return {text(token), span(token)}; }
+  // In the tree, as many as have come together.
+  template <class Element>
+  ast::List<Element> list(const std::vector<Element>& elements) {
+    return arena_.list(std::span(elements));
+  }
 
   // ---- errors: recover.cpp ----------------------------------------------------------------------
   // Reports unless in panic, and panics.
@@ -180,12 +185,13 @@ class Parser {
   FileId file_;
   DiagnosticSink& sink_;
   ParseLimits limits_;
+  ast::Arena& arena_;
   TokenStream tokens_;
   std::vector<ast::Comment> interior_;  // of the item that is being parsed
   Diagnostic unreported_;
   std::optional<Suspect> suspect_;
-  std::string_view block_;          // name of the block whose body is being parsed, "" in none
-  std::vector<std::string> named_;  // by `let` and `param`, for hints
+  std::string_view block_;               // name of the block whose body is being parsed, "" in none
+  std::vector<std::string_view> named_;  // by `let` and `param`, for hints
   int nesting_ = 0;
   int tallest_ = 0;              // height of the highest expression in the body being parsed
   int open_brackets_ = 0;        // in the item being parsed

@@ -13,11 +13,11 @@ ast::ExprPtr Parser::parse_postfix() {
   for (;;) {
     const int height = whole->height;
     if (at(TokenKind::left_paren)) {
-      whole = parse_call(std::move(whole));
+      whole = parse_call(whole);
     } else if (take(TokenKind::dot)) {
       const auto member = expect_name("the name of a member");
       if (!member) return whole;
-      whole = make(begin, ast::Member{std::move(whole), *member}, height);
+      whole = make(begin, ast::Member{whole, *member}, height);
     } else if (at(TokenKind::left_bracket)) {
       const SourceSpan opener = span(next());
       const Scoped objects(objects_allowed_, true);
@@ -25,7 +25,7 @@ ast::ExprPtr Parser::parse_postfix() {
       ast::ExprPtr index = parse_expression();
       if (!close(TokenKind::right_bracket, opener, "`]`")) return whole;
       const int below = std::max(height, index->height);
-      whole = make(begin, ast::Index{std::move(whole), std::move(index)}, below);
+      whole = make(begin, ast::Index{whole, index}, below);
     } else {
       return whole;
     }
@@ -37,20 +37,22 @@ ast::ExprPtr Parser::parse_call(ast::ExprPtr callee) {
   const std::uint32_t begin = callee->span.begin;
   int below = callee->height;
   ast::Call call;
-  call.callee = std::move(callee);
+  call.callee = callee;
   const SourceSpan opener = span(next());
   {
     const Scoped objects(objects_allowed_, true);
     const Scoped brackets(open_brackets_, open_brackets_ + 1);
+    std::vector<ast::Argument> arguments;
     while (!at(TokenKind::right_paren)) {
-      call.arguments.push_back(parse_argument());
-      below = std::max(below, call.arguments.back().value->height);
+      arguments.push_back(parse_argument());
+      below = std::max(below, arguments.back().value->height);
       if (!take(TokenKind::comma)) break;
     }
+    call.arguments = list(arguments);
     close(TokenKind::right_paren, opener, "`,` or `)`");
   }
   call.arguments_span = span_from(opener.begin);
-  return make(begin, std::move(call), below);
+  return make(begin, call, below);
 }
 
 // argument    = [ NAME ":" ] expression ;

@@ -51,7 +51,7 @@ ast::ExprPtr Parser::parse_literal() {
         return ast::AngleLiteral{read_number(word).value,
                                  word.ends_with("deg") ? ast::AngleUnit::deg : ast::AngleUnit::rad};
       case TokenKind::string:
-        return ast::StringLiteral{read_string(word)};
+        return ast::StringLiteral{arena_.text(read_string(word))};
       case TokenKind::hex_color: {
         const auto [red, green, blue] = read_hex_color(word);
         return ast::HexColor{red, green, blue};
@@ -66,15 +66,16 @@ ast::ExprPtr Parser::parse_literal() {
 // vector      = "<" sum "," sum [ "," sum ] ">" ;
 ast::ExprPtr Parser::parse_vector() {
   const Token opener = next();
-  ast::VectorLiteral vector;
+  std::vector<ast::ExprPtr> components;
+  components.reserve(3);
   int below = 0;
   {
     const Scoped objects(objects_allowed_, true);
     Nesting nesting(*this);
     if (!nesting.allowed()) return error_expression();
     do {
-      vector.components.push_back(parse_sum());
-      below = std::max(below, vector.components.back()->height);
+      components.push_back(parse_sum());
+      below = std::max(below, components.back()->height);
     } while (take(TokenKind::comma));
   }
   if (!take(TokenKind::greater)) {
@@ -86,29 +87,29 @@ ast::ExprPtr Parser::parse_vector() {
     }
     return error_expression();
   }
-  const std::size_t count = vector.components.size();
+  const std::size_t count = components.size();
   if (count < 2 || count > 3) {
     report<DiagnosticKind::vector_size>(span_from(opener.begin), count)
         .hint("write `<x, y, z>`, or `<u, v>` on a surface");
     return error_expression();
   }
-  return make(opener.begin, std::move(vector), below);
+  return make(opener.begin, ast::VectorLiteral{list(components)}, below);
 }
 
 // list        = "[" [ expression { "," expression } [ "," ] ] "]" ;
 ast::ExprPtr Parser::parse_list() {
   const Token opener = next();
-  ast::ListLiteral list;
+  std::vector<ast::ExprPtr> elements;
   int below = 0;
   const Scoped objects(objects_allowed_, true);
   const Scoped brackets(open_brackets_, open_brackets_ + 1);
   while (!at(TokenKind::right_bracket)) {
-    list.elements.push_back(parse_expression());
-    below = std::max(below, list.elements.back()->height);
+    elements.push_back(parse_expression());
+    below = std::max(below, elements.back()->height);
     if (!take(TokenKind::comma)) break;
   }
   close(TokenKind::right_bracket, span(opener), "`,` or `]`");
-  return make(opener.begin, std::move(list), below);
+  return make(opener.begin, ast::ListLiteral{list(elements)}, below);
 }
 
 ast::ExprPtr Parser::parse_parenthesized() {
@@ -122,27 +123,26 @@ ast::ExprPtr Parser::parse_parenthesized() {
   } else {
     close(TokenKind::right_paren, span(opener), "`)`");
   }
-  return make(opener.begin, ast::Parenthesized{std::move(inner)}, below);
+  return make(opener.begin, ast::Parenthesized{inner}, below);
 }
 
 // object      = NAME [ call ] body ;
 ast::ExprPtr Parser::parse_object_or_name() {
   const Token name = next();
-  ast::ExprPtr head = make(name.begin, ast::NameRef{std::string(text(name))});
-  if (at(TokenKind::left_paren)) head = parse_call(std::move(head));
-  if (at(TokenKind::left_brace) && objects_allowed_ && !panic_) return parse_block(std::move(head));
+  ast::ExprPtr head = make(name.begin, ast::NameRef{text(name)});
+  if (at(TokenKind::left_paren)) head = parse_call(head);
+  if (at(TokenKind::left_brace) && objects_allowed_ && !panic_) return parse_block(head);
   return head;
 }
 
 ast::ExprPtr Parser::parse_block(ast::ExprPtr head) {
   const std::uint32_t begin = head->span.begin;
   const auto* name = std::get_if<ast::NameRef>(&head->node);
-  const std::string block_name = name != nullptr ? name->name : "";
-  const Scoped inside(block_, std::string_view(block_name));
+  const Scoped inside(block_, name != nullptr ? name->name : std::string_view());
   const int outside = std::exchange(tallest_, head->height);
-  ast::Block block{std::move(head), parse_body()};
+  ast::Block block{head, parse_body()};
   const int below = std::exchange(tallest_, outside);
-  return make(begin, std::move(block), below);
+  return make(begin, block, below);
 }
 
 }  // namespace alhazen::parser

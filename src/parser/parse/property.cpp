@@ -16,15 +16,15 @@ void Parser::parse_name_item(ast::Item& item) {
   }
   ast::Property property = parse_property(name);
   after_property(property);
-  item.node = std::move(property);
+  item.node = property;
 }
 
 // placement   = NAME call [ body ] ;
 ast::Placement Parser::parse_placement(const Token& name) {
-  ast::ExprPtr head = make(name.begin, ast::NameRef{std::string(text(name))});
-  ast::ExprPtr object = parse_call(std::move(head));
-  if (at(TokenKind::left_brace) && !panic_) object = parse_block(std::move(object));
-  return {std::move(object)};
+  ast::ExprPtr head = make(name.begin, ast::NameRef{text(name)});
+  ast::ExprPtr object = parse_call(head);
+  if (at(TokenKind::left_brace) && !panic_) object = parse_block(object);
+  return {object};
 }
 
 // property    = NAME ( body | expression ) ;

@@ -36,7 +36,7 @@ TokenStream::Ahead TokenStream::read_one() {
     }
     if (token.kind == TokenKind::comment) {
       ahead.comments.push_back(
-          {{std::string(text(token)), span(token), token.blank_line_before}, token.newline_before});
+          {{text(token), span(token), token.blank_line_before}, token.newline_before});
     } else if (token.kind != TokenKind::skip) {
       break;
     }
@@ -54,7 +54,7 @@ void TokenStream::stop() {
 Token TokenStream::next(std::vector<ast::Comment>& comments) {
   peek();
   for (Pending& pending : ahead_.front().comments)
-    comments.push_back(std::move(pending.comment));
+    comments.push_back(pending.comment);
   const Token token = ahead_.front().token;
   if (token.newline_before) line_indentation_ = indentation(token);
   last_end_ = token.end;
@@ -66,7 +66,7 @@ std::vector<ast::Comment> TokenStream::take_comments() {
   peek();
   std::vector<ast::Comment> taken;
   for (Pending& pending : ahead_.front().comments)
-    taken.push_back(std::move(pending.comment));
+    taken.push_back(pending.comment);
   ahead_.front().comments.clear();
   return taken;
 }
@@ -78,7 +78,7 @@ std::vector<ast::Comment> TokenStream::take_trailing_comments() {
                                 [](const Pending& p) { return p.newline_before; });
   std::vector<ast::Comment> taken;
   for (auto it = pending.begin(); it != end; ++it)
-    taken.push_back(std::move(it->comment));
+    taken.push_back(it->comment);
   pending.erase(pending.begin(), end);
   return taken;
 }

@@ -36,7 +36,7 @@ bool Printer::broken_after(SourceSpan span) const {
   return next != std::string_view::npos && text[next] == '\n';
 }
 
-Doc Printer::separated(const std::vector<ast::ExprPtr>& list) {
+Doc Printer::separated(ast::List<ast::ExprPtr> list) {
   std::vector<Doc> parts;
   for (const ast::ExprPtr& expr : list) {
     if (!parts.empty()) parts.push_back(docs_.concat({text(","), docs_.line(" ")}));

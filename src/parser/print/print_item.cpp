@@ -57,7 +57,7 @@ Doc Printer::comment(const ast::Comment& comment) {
   return docs_.text(without_carriage_returns(comment.text));
 }
 
-Doc Printer::trailing(const std::vector<ast::Comment>& comments) {
+Doc Printer::trailing(ast::List<ast::Comment> comments) {
   std::string text;
   for (const ast::Comment& comment : comments) {
     text += (text.empty() ? "  " : " ") + without_carriage_returns(comment.text);
@@ -65,8 +65,7 @@ Doc Printer::trailing(const std::vector<ast::Comment>& comments) {
   return text.empty() ? DocBuilder::nothing() : docs_.note(std::move(text));
 }
 
-Doc Printer::items(const std::vector<ast::ItemPtr>& items,
-                   const std::vector<ast::Comment>& dangling) {
+Doc Printer::items(ast::List<ast::ItemPtr> items, ast::List<ast::Comment> dangling) {
   std::vector<Doc> parts;
   const auto new_line = [&](bool blank) {
     if (!parts.empty()) parts.push_back(docs_.hard(blank));
@@ -146,7 +145,7 @@ Doc Printer::node(const ast::Param& param) {
   }
   if (param.text) {
     parts.push_back(
-        docs_.nest(2 * kIndentation, docs_.concat({docs_.line(" "), expression(*param.text)})));
+        docs_.nest(2 * kIndentation, docs_.concat({docs_.line(" "), expression(param.text)})));
   }
   return docs_.group(docs_.concat(std::move(parts)));
 }

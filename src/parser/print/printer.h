@@ -20,12 +20,12 @@ class Printer {
  private:
   // ---- print_item.cpp ---------------------------------------------------------------------------
   // Comments, blank lines and items; breaks between them, none before the first or after the last.
-  Doc items(const std::vector<ast::ItemPtr>& items, const std::vector<ast::Comment>& dangling);
+  Doc items(ast::List<ast::ItemPtr> items, ast::List<ast::Comment> dangling);
   Doc item(const ast::Item& item);
   // "{", the items, "}": its breaks belong to the group around it.
   Doc body(const ast::Body& body);
   Doc grouped_body(const ast::Body& body);
-  Doc trailing(const std::vector<ast::Comment>& comments);
+  Doc trailing(ast::List<ast::Comment> comments);
   Doc comment(const ast::Comment& comment);
   bool must_break(const ast::Body& body) const;
   bool must_break(const ast::If& branch) const;
@@ -46,8 +46,8 @@ class Printer {
 
   // ---- print_expression.cpp ---------------------------------------------------------------------
   Doc expression(const ast::Expr& expr);
-  Doc expression(const ast::ExprPtr& expr) { return expression(*expr); }
-  Doc separated(const std::vector<ast::ExprPtr>& list);
+  Doc expression(ast::ExprPtr expr) { return expression(*expr); }
+  Doc separated(ast::List<ast::ExprPtr> list);
   // opener, elements with commas, closer: on one line, or one element a line.
   Doc bracketed(std::string_view opener, const std::vector<Doc>& elements, std::string_view closer,
                 bool broken);
