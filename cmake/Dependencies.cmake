@@ -12,6 +12,13 @@ get_target_property(ocio_include OpenColorIO::OpenColorIO INTERFACE_INCLUDE_DIRE
 if(ocio_include AND NOT EXISTS "${ocio_include}")
   set_target_properties(OpenColorIO::OpenColorIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "")
 endif()
+# Debian 12's libdeflate has no config for CMake.
+find_path(LIBDEFLATE_INCLUDE_DIR libdeflate.h REQUIRED)
+find_library(LIBDEFLATE_LIBRARY deflate REQUIRED)
+add_library(libdeflate::libdeflate UNKNOWN IMPORTED)  # compresses the picture file
+set_target_properties(libdeflate::libdeflate PROPERTIES
+  IMPORTED_LOCATION "${LIBDEFLATE_LIBRARY}"
+  INTERFACE_INCLUDE_DIRECTORIES "${LIBDEFLATE_INCLUDE_DIR}")
 find_package(PNG REQUIRED)                 # previews and image textures
 find_package(JPEG REQUIRED)                # image textures
 if(ALHAZEN_TESTS)

@@ -15,6 +15,7 @@ struct ConfinedHeader {
 constexpr ConfinedHeader kConfinedHeaders[] = {
     {"OpenEXR/|Imf|Iex|IlmThread", "render/image"},
     {"Imath", "render/image"},
+    {"libdeflate\\.h", "render/image"},
     {"png\\.h|jpeglib\\.h|jerror\\.h", "render/image"},
     {"OpenColorIO/", "render/color"},
     {"CLI/", "app/cli"},

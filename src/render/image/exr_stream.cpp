@@ -5,13 +5,6 @@
 
 namespace alhazen::render {
 
-void MemoryOutput::write(const char bytes[], int count) {
-  const std::uint64_t end = position_ + static_cast<std::uint64_t>(count);
-  if (bytes_.size() < end) bytes_.resize(end);
-  std::copy_n(bytes, count, bytes_.begin() + static_cast<std::ptrdiff_t>(position_));
-  position_ = end;
-}
-
 bool MemoryInput::read(char bytes[], int count) {
   const std::uint64_t size = bytes_.size();
   if (count < 0 || position_ > size || static_cast<std::uint64_t>(count) > size - position_) {

@@ -1,31 +1,18 @@
 #include "render/image/exr_write.h"
 
-#include <Imath/half.h>
-#include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfMultiPartOutputFile.h>
-#include <OpenEXR/ImfOutputPart.h>
-#include <OpenEXR/ImfThreading.h>
-#include <algorithm>
 #include <exception>
 #include <fmt/format.h>
 #include <set>
 
 #include "core/base/file.h"
+#include "render/image/exr_chunks.h"
 #include "render/image/exr_header.h"
 #include "render/image/exr_samples.h"
-#include "render/image/exr_stream.h"
 
 namespace alhazen::render {
 namespace {
 
-// Rows that are converted and handed over at a time; a multiple of the 16 rows of a ZIP chunk.
-constexpr int kBandHeight = 128;
-
-struct PlaneToWrite {
-  ExrChannel channel;
-  std::span<const float> samples;
-};
-using PartToWrite = std::vector<PlaneToWrite>;
+using PartToWrite = std::vector<ExrPlane>;
 
 void append(PartToWrite& part, const FloatBuffer& buffer, SampleType type) {
   for (std::size_t i = 0; i < buffer.channel_count(); ++i) {
@@ -35,7 +22,7 @@ void append(PartToWrite& part, const FloatBuffer& buffer, SampleType type) {
 
 std::vector<ExrChannel> channels_of(const PartToWrite& part) {
   std::vector<ExrChannel> channels;
-  for (const PlaneToWrite& plane : part)
+  for (const ExrPlane& plane : part)
     channels.push_back(plane.channel);
   return channels;
 }
@@ -43,7 +30,7 @@ std::vector<ExrChannel> channels_of(const PartToWrite& part) {
 std::optional<Error> contradiction(const ExrFile& file, const PartToWrite& part) {
   const PixelWindow& window = file.data_window;
   std::set<std::string> names;
-  for (const PlaneToWrite& plane : part) {
+  for (const ExrPlane& plane : part) {
     if (plane.channel.name.empty() || !names.insert(plane.channel.name).second) {
       return Error{ErrorCode::usage,
                    fmt::format("EXR channel name `{}` is empty or used twice", plane.channel.name)};
@@ -70,66 +57,13 @@ std::optional<Error> contradiction(const ExrFile& file) {
   return std::nullopt;
 }
 
-// One band of one plane in the type of the file.
-class BandPlane {
- public:
-  BandPlane(const PlaneToWrite& plane, int width) : plane_(plane), width_(width) {
-    const std::size_t count = static_cast<std::size_t>(width) * kBandHeight;
-    if (is_half()) {
-      halves_.resize(count);
-    } else {
-      floats_.resize(count);
-    }
-  }
-
-  // Converts rows first_row .. first_row+rows-1 of the buffer.
-  void fill(int first_row, int rows) {
-    const std::size_t stride = static_cast<std::size_t>(width_);
-    const std::span<const float> samples = plane_.samples.subspan(
-        static_cast<std::size_t>(first_row) * stride, static_cast<std::size_t>(rows) * stride);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const float sample = writable_sample(samples[i], plane_.channel.type);
-      if (is_half()) {
-        halves_[i] = Imath::half(sample);  // to nearest, ties to even
-      } else {
-        floats_[i] = sample;
-      }
-    }
-  }
-
-  // `origin` is the pixel of the data window that the band begins with.
-  Imf::Slice slice(Imath::V2i origin) {
-    if (is_half()) {
-      return Imf::Slice::Make(Imf::HALF, halves_.data(), origin, width_, kBandHeight);
-    }
-    return Imf::Slice::Make(Imf::FLOAT, floats_.data(), origin, width_, kBandHeight);
-  }
-  const std::string& name() const { return plane_.channel.name; }
-
- private:
-  bool is_half() const { return plane_.channel.type == SampleType::half; }
-
-  const PlaneToWrite& plane_;
-  int width_;
-  std::vector<Imath::half> halves_;
-  std::vector<float> floats_;
-};
-
-void write_part(Imf::MultiPartOutputFile& out, int index, const PartToWrite& part,
-                const PixelWindow& window) {
-  std::vector<BandPlane> bands;
-  for (const PlaneToWrite& plane : part)
-    bands.emplace_back(plane, window.width);
-  Imf::OutputPart output(out, index);
-  for (int row = 0; row < window.height; row += kBandHeight) {
-    const int rows = std::min(kBandHeight, window.height - row);
-    Imf::FrameBuffer frame;
-    for (BandPlane& band : bands) {
-      band.fill(row, rows);
-      frame.insert(band.name(), band.slice(Imath::V2i(window.x, window.y + row)));
-    }
-    output.setFrameBuffer(frame);
-    output.writePixels(rows);
+void write_pixels(ExrOutput& out, int index, const PartToWrite& part, const PixelWindow& window,
+                  int threads) {
+  const int chunk_rows = out.chunk_rows(index);
+  int row = window.y;
+  for (const std::string& chunk : compressed_chunks(part, window.width, chunk_rows, threads)) {
+    out.write_chunk(index, row, chunk);
+    row += chunk_rows;
   }
 }
 
@@ -150,26 +84,20 @@ Result<EncodedExr> encode_exr(const ExrFile& file, int threads) {
   EncodedExr encoded;
   for (const PartToWrite& part : parts) {
     if (const auto error = contradiction(file, part)) return *error;
-    for (const PlaneToWrite& plane : part) {
+    for (const ExrPlane& plane : part) {
       count_unwritable(plane.samples, plane.channel.type, encoded.report);
     }
   }
 
   try {
-    std::vector<Imf::Header> headers{beauty_header(file, channels_of(parts[0]), encoded.report)};
-    if (parts.size() > 1) headers.push_back(data_header(file, channels_of(parts[1])));
-    MemoryOutput stream;
-    {
-      // OpenEXR compresses chunks side by side and writes them in the order of the rows.
-      const int helpers = threads > 1 ? threads : 0;
-      if (Imf::globalThreadCount() < helpers) Imf::setGlobalThreadCount(helpers);
-      Imf::MultiPartOutputFile out(stream, headers.data(), static_cast<int>(headers.size()), false,
-                                   helpers);
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        write_part(out, static_cast<int>(i), parts[i], file.data_window);
-      }
-    }  // its destructor writes the table of chunks
-    encoded.bytes = stream.take();
+    ExrOutput out;
+    add_beauty_part(out, file, channels_of(parts[0]), encoded.report);
+    if (parts.size() > 1) add_data_part(out, file, channels_of(parts[1]));
+    out.end_header();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      write_pixels(out, static_cast<int>(i), parts[i], file.data_window, threads);
+    }
+    encoded.bytes = out.finish();
   } catch (const std::exception& error) {
     return Error{ErrorCode::io, fmt::format("cannot make the EXR file: {}", error.what())};
   }

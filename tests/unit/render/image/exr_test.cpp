@@ -227,6 +227,31 @@ TEST(Exr, AnyNumberOfThreadsGivesTheSameBytes) {
     EXPECT_TRUE(encode_exr(file, threads).value().bytes == alone) << threads << " threads";
 }
 
+TEST(Exr, PicturesAreCompressed) {
+  ExrFile file;
+  file.display_window = file.data_window = {0, 0, 70, 700};
+  file.beauty = FloatBuffer(70, 700, {"R", "G", "B", "A"});  // black: deflate can reach 1032 to 1
+  EXPECT_LT(encoded(file).size(), 70u * 700 * 4 * 2 / 100);
+}
+
+TEST(Exr, ForeignNamesOfAnyLengthThatEXRKnowsComeBack) {
+  ExrFile file = beauty_file(SampleType::half);
+  for (const std::size_t length : {31u, 32u, 255u}) {
+    const std::string name(length, 'n');
+    file.data = noise_buffer(37, 70, {name});
+    const auto parts = decoded(encoded(file));
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(parts[1].pixels.names(), std::vector{name});
+    expect_same_bits(file.data, parts[1].pixels);
+  }
+  const ExpectSilence silence;
+  file.data = noise_buffer(37, 70, {std::string(256, 'n')});
+  const Result<EncodedExr> refused = encode_exr(file);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::io);
+  EXPECT_NE(refused.error().message.find("the channel `nnn"), std::string::npos);
+}
+
 TEST(Exr, ContradictionsAreUsageErrors) {
   ExrFile wrong_size = full_file();
   wrong_size.data = FloatBuffer(19, 33, {"Z"});
