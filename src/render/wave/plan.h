@@ -54,6 +54,22 @@ constexpr bool is_built_in(StageId stage) {
   return is_called(stage, [](Effect effect) { return alhazen::is_built_in(effect); });
 }
 
+// Whether the stage sends rays on from what rays have met.
+constexpr bool sends_rays_on(StageId stage) {
+  using enum StageId;
+  switch (stage) {
+    case mirror:
+    case metal:
+    case coat:
+    case glass:
+    case pov_reflection:
+    case pov_transmission:
+      return true;
+    default:
+      return false;
+  }
+}
+
 struct PlannedStage {
   StageId id;
   std::vector<Effect> because;  // empty: every picture needs it

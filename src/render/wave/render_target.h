@@ -94,7 +94,7 @@ Result<RenderOutput> render_to_target(const RenderJob& whole) {
   const Error stopped{ErrorCode::stopped, "stopped before it was done"};
 
   TruncationLadder<Real> ladder(target, whole.window, settings.seed);
-  const auto truncation = ladder.climb(world, crew);
+  const auto truncation = ladder.climb(output.plan, world, crew);
   if (!truncation) return stopped;
   ErrorControl control(left_to_sampling(target, truncation->error), whole.window.width,
                        whole.window.height, settings.seed);

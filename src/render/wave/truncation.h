@@ -43,8 +43,12 @@ class TruncationLadder {
   }
 
   // The cheapest rung whose error is a small share of the target's, or the last; the world is left
-  // with that. Nothing if the run was cancelled.
-  std::optional<Truncation> climb(World<Real>& world, Crew<Real>& crew) {
+  // with that. Nothing if the run was cancelled. Where no ray is sent on there is nothing to try.
+  std::optional<Truncation> climb(const StagePlan& plan, World<Real>& world, Crew<Real>& crew) {
+    bool has_trees = false;
+    plan.for_each(
+        [&](const PlannedStage& stage) { has_trees = has_trees || sends_rays_on(stage.id); });
+    if (!has_trees) return choose(world, true);
     std::vector<Value> below;
     for (int rung = 0;; ++rung) {
       set(world, rung);

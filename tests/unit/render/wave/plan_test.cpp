@@ -32,6 +32,13 @@ TEST(Plan, PlainSceneRunsTheFewStagesItNeeds) {
                                       "point_on_matte", "opaque_shadows"}));
 }
 
+TEST(Plan, WhatSendsRaysOnKeepsThem) {
+  for (std::size_t k = 0; k < kStageCount; ++k) {
+    const auto stage = static_cast<StageId>(k);
+    EXPECT_EQ(sends_rays_on(stage), info(stage).keeps.starts_with("next rays")) << info(stage).name;
+  }
+}
+
 TEST(Plan, EmptySceneOnlyMakesRays) {
   SceneBuilder b;
   EXPECT_EQ(names_of(plan_of(b.scene)), std::vector<std::string>{"pinhole_rays"});
