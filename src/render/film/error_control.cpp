@@ -8,26 +8,15 @@
 namespace alhazen::render {
 namespace {
 
-// One-sided, of the normal distribution: kErrorConfidence of it lies below.
-constexpr double kQuantile = 1.645;
-// Of the pixels that are not to get more samples, one in so many gets them all the same.
-constexpr std::uint64_t kLots = 8;
+// Of the pixels that are not to get more samples, one in so many gets them all
+// the same.
+constexpr std::uint8_t kLots = 8;
+// Of the pixels with one sample some more, if the picture is so small that
+// fewer than this would be drawn of all.
+constexpr std::uint64_t kFewestDrawn = 256;
+// Every pixel gets this share of the mean number of samples.
+constexpr double kShareOfMean = 1.0 / 16;
 constexpr std::uint64_t kLotteryDimension = 0x6c6f747465727921;  // no sample's
-
-// Classes of priority, parts of an octave; 0 is for none at all.
-constexpr int kClassesOfOctave = 16;
-constexpr int kLowestOctave = -100, kHighestOctave = 60;
-constexpr int kClasses = (kHighestOctave - kLowestOctave) * kClassesOfOctave + 1;
-
-int class_of(double priority) {
-  if (!(priority > 0)) return 0;
-  int octave = 0;
-  const double mantissa = std::frexp(priority, &octave);  // in [1/2, 1), exactly
-  if (octave < kLowestOctave) return 1;
-  if (octave >= kHighestOctave) return kClasses - 1;
-  const int part = static_cast<int>((2 * mantissa - 1) * kClassesOfOctave);
-  return 1 + (octave - kLowestOctave) * kClassesOfOctave + part;
-}
 
 int level_of(std::uint32_t samples) {
   int level = 0;
@@ -38,223 +27,261 @@ int level_of(std::uint32_t samples) {
   return level;
 }
 
-// What is known of the pixels of one class.
-struct PriorityClass {
-  double loss = 0, samples = 0;
-};
-
-// How often pixels of class `k` are to have their samples doubled when those above `threshold` are:
-// until their gain for each sample, variance over samples, which falls as 1/n^2, is the same for
-// all. That is the fewest samples for the least sum of variances.
-int doublings(int k, int threshold) {
-  return k <= threshold ? 0 : 1 + (k - threshold - 1) / (2 * kClassesOfOctave);
-}
-
-// The sum of variances when what is above `threshold` has been doubled.
-double left_after(const std::vector<PriorityClass>& classes, double fall, int threshold) {
-  double left = 0;
-  for (int k = 0; k < kClasses; ++k) {
-    double loss = classes[static_cast<std::size_t>(k)].loss;
-    for (int n = loss > 0 ? doublings(k, threshold) : 0; n > 0; --n)
-      loss /= fall;
-    left += loss;
-  }
-  return left;
-}
-
-// The highest class such that the sum of variances falls to `goal`, or 0.
-int threshold_of_squares(const std::vector<PriorityClass>& classes, double fall, double goal) {
-  int low = 0, high = kClasses;  // what is left grows with the threshold
-  while (high - low > 1) {
-    const int middle = (low + high) / 2;
-    (left_after(classes, fall, middle) <= goal ? low : high) = middle;
-  }
-  return low;
-}
-
-// The highest class such that those up to it may stay as they are; the pixels above are to become
-// good, those that this costs most are among the rest.
-int threshold_of_pixels(const std::vector<PriorityClass>& classes, double goal) {
-  constexpr double kShareOfRest = 0.8;
-  double left = classes[0].loss;
-  int threshold = 0;
-  while (threshold + 1 < kClasses) {
-    left += classes[static_cast<std::size_t>(threshold + 1)].loss;
-    if (left > kShareOfRest * goal) break;
-    ++threshold;
-  }
-  return threshold;
-}
-
-// n samples do not see what covers less than 1 / n of a pixel. Missed in one pixel of 1600, and as
-// bright as white, it makes an RMSE of 1 / (40 n): that much is left to chance and to the lots, up
-// to 16 samples, beyond which the lots have to do.
-std::uint32_t first_samples(double error) {
-  std::uint32_t samples = 2;
-  while (samples < 16 && 40 * samples * error < 1)
-    samples *= 2;
-  return samples;
-}
-
 }  // namespace
 
 ErrorControl::ErrorControl(const ErrorTarget& target, int width, int height, std::uint64_t seed)
-    : loss_(target),
-      width_(width),
-      height_(height),
-      seed_(seed),
-      first_samples_(first_samples(target.error)) {
+    : loss_(target), width_(width), height_(height), seed_(seed), first_(loss_, width, height) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  first_lots_ = std::clamp<std::uint64_t>(pixels / kFewestDrawn, 1, kLots);
   taken_.assign(pixels, 0);
   wanted_.assign(pixels, 1);
   is_fresh_.assign(pixels, 0);
-  for (std::vector<float>* plane : {&outer_, &inner_, &own_, &history_, &variance_})
+  weight_.assign(pixels, 1);
+  for (std::vector<float>* plane : {&outer_, &inner_, &own_, &spread_, &variance_})
     plane->assign(pixels, 0);
 }
 
+void ErrorControl::record_first(std::size_t p, const std::array<double, 3>& value) {
+  taken_[p] = 1;
+  first_.set(p, {static_cast<float>(value[0]), static_cast<float>(value[1]),
+                 static_cast<float>(value[2])});
+}
+
 void ErrorControl::record(std::size_t p, const PixelChange& change) {
-  const bool is_first = taken_[p] == 0;
+  if (passes_ == 1) {
+    for (std::size_t c = 0; c < 3; ++c)
+      second_[p][c] = static_cast<float>(first_.value(p)[c] - 2 * change.outer[c]);
+  }
   taken_[p] = wanted_[p];
   is_fresh_[p] = 1;
-  outer_[p] = is_first ? 0.0F : static_cast<float>(loss_.squared(change.outer));
+  outer_[p] = static_cast<float>(loss_.squared(change.outer));
   inner_[p] = static_cast<float>(loss_.squared(change.inner));
 }
 
-// Prefixes of 2^m samples and the blocks that they are made of have means of one distribution: with
-// the variance V of a block's mean, outer^2 is V(n) - V(2n) on average and inner^2 is
-// V(n/2) - V(n). Where V falls by the same factor each time, it is the ratio of the two.
-void ErrorControl::settle() {
-  // At random samples' rate at least. Stratified edges fall as n^(-3/2), by 2.83, and what is
-  // smooth faster still, but not all that is in a picture does.
-  constexpr double kSlowest = 2, kFastest = 2.5;
-  double outer = 0, inner = 0, squares = 0;
-  for (std::size_t p = 0; p < pixel_count(); ++p) {
-    if (is_fresh_[p] == 0 || taken_[p] < 4) continue;
-    outer += outer_[p];
-    inner += inner_[p];
-    squares += double{outer_[p]} * outer_[p];
-  }
-  // Of a sum of terms as if there were `outer`^2 / `squares` equal ones; each is known as well as
-  // its square root.
-  const double doubt = outer > 0 ? square_root(squares) / outer : 1;
-  fall_ = std::clamp(outer > 0 ? inner / outer * (1 - 2 * doubt) : kSlowest, kSlowest, kFastest);
-  for (std::size_t p = 0; p < pixel_count(); ++p) {
-    if (is_fresh_[p] == 0 || taken_[p] < 2) continue;
-    const double mean = taken_[p] < 4 ? outer_[p] : 0.5 * (outer_[p] + inner_[p] / fall_);
-    own_[p] = static_cast<float>(mean / (fall_ - 1));
-    history_[p] =
-        taken_[p] == 2 ? own_[p] : static_cast<float>(0.5 * (own_[p] + history_[p] / fall_));
-  }
-}
-
 void ErrorControl::plan_next() {
-  has_next_ = false;
-  const std::uint32_t fewest = *std::min_element(taken_.begin(), taken_.end());
-  const bool are_equal = fewest == *std::max_element(taken_.begin(), taken_.end());
-  samples_of_all_ = fewest;
-  settle();
-  if (fewest >= 2) {
+  has_next_ = reached_ = false;
+  if (++passes_ == 1) {
+    look_first();
+  } else {
+    const std::vector<Exchanged> exchanged = exchange();
+    settle();
+    if (passes_ == 2) look_again();
+    for (const Exchanged& e : exchanged) {
+      const int level = level_of(taken_[e.pixel]);
+      const double found = fall_.factor(level) * own_[e.pixel];
+      lots_[static_cast<std::size_t>(level - 1)].add_exchanged(
+          {e.seemed, own_loss(e.pixel, fall_.factor(level)) - e.loss, found - e.seemed});
+    }
     add_up();
-    // Half of them may be enough for what shows nothing at all.
-    reached_ = 2 * fewest >= first_samples_ && estimate_.bound <= loss_.value(loss_.goal());
+    reached_ = estimate_.bound <= loss_.value(loss_.goal());
     if (reached_) {
       wanted_ = taken_;
       return;
     }
-  }
-  if (are_equal && fewest < first_samples_) {
-    wanted_.assign(pixel_count(), 2 * fewest);
-    samples_ahead_ = static_cast<double>(pixel_count()) * (first_samples_ - fewest);
-    has_next_ = true;
-  } else {
     choose();
   }
   std::fill(is_fresh_.begin(), is_fresh_.end(), std::uint8_t{0});
 }
 
-// Variances of means as decisions see them. One squared change says little about one pixel; half of
-// what is believed comes from the pixels around, by the binomial weights 1 2 1, the pixel's own
-// share of those included. An edge that was missed here was seen next door.
-void ErrorControl::smooth_variances() {
-  const auto at = [&](int x, int y) {
-    x = std::clamp(x, 0, width_ - 1);
-    y = std::clamp(y, 0, height_ - 1);
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(x);
-  };
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      const std::size_t p = at(x, y);
-      double around = 0;  // of a pixel with one sample
-      for (int j = -1; j <= 1; ++j) {
-        for (int i = -1; i <= 1; ++i) {
-          const std::size_t q = at(x + i, y + j);
-          const int weight = (2 - std::abs(i)) * (2 - std::abs(j));
-          around += weight * double{history_[q]} * taken_[q];
-        }
-      }
-      double variance = 0.5 * (double{history_[p]} + around / 16 / taken_[p]);
-      if (is_fresh_[p] == 0) variance += lots_[level_of(taken_[p])].missed_variance();
-      variance_[p] = static_cast<float>(variance);
+// A second sample goes to the pixels that differ most from their neighbours, as
+// far as that can matter, and to some of the others, drawn by lot.
+void ErrorControl::look_first() {
+  constexpr double kMost = 1.0 / 8, kShareOfGoal = 0.25;
+  const auto pixels = static_cast<double>(pixel_count());
+  PriorityClasses classes;
+  std::vector<int> class_at;
+  for (std::size_t p = 0; p < pixel_count(); ++p) {
+    const double difference = first_.difference(p);
+    class_at.push_back(class_of(difference, 1));
+    classes.add(class_at.back(), loss_.of(difference), 1);
+  }
+  threshold_ = classes.threshold_of_most(kMost * pixels, kShareOfGoal * pixels * loss_.goal());
+  for (std::size_t p = 0; p < pixel_count(); ++p) {
+    const bool is_chosen = class_at[p] > threshold_;
+    wanted_[p] = is_chosen || wins(p, 0) ? 2 : 1;
+    weight_[p] = static_cast<std::uint8_t>(is_chosen ? 1 : first_lots_);
+  }
+  second_.resize(pixel_count());
+  has_next_ = true;
+}
+
+// What the second samples tell of the pixels that have none. The ratio of
+// variances to differences of neighbours turns these into variances; a pixel
+// that was drawn counts for as many as it was drawn from.
+void ErrorControl::look_again() {
+  double variance = 0, difference = 0;
+  for (std::size_t p = 0; p < pixel_count(); ++p) {
+    if (is_fresh_[p] == 0) continue;
+    const double here = first_.difference(p);
+    variance += weight_[p] * fall_.factor(1) * own_[p];
+    difference += weight_[p] * here;
+  }
+  const double ratio = difference > 0 ? variance / difference : 0;
+  for (std::size_t p = 0; p < pixel_count(); ++p) {
+    const double seemed = ratio * first_.difference(p);
+    if (is_fresh_[p] == 0) {
+      spread_[p] = static_cast<float>(seemed);
+      continue;
     }
+    const double found = fall_.factor(1) * own_[p], loss = own_loss(p, fall_.factor(1));
+    const double other = first_.difference(p, second_[p]);
+    if (class_of(first_.difference(p), 1) <= threshold_) {
+      lots_[0].add_drawn({seemed, loss, found - seemed});
+    } else if (class_of(other, 1) <= threshold_) {
+      lots_[0].add_exchanged({ratio * other, loss, found});
+    }
+  }
+  first_.forget();
+  second_ = {};
+}
+
+// Prefixes of 2^m samples and the blocks that they are made of have means of
+// one distribution: with the variance V of a block's mean, outer^2 is V(n) -
+// V(2n) on average and inner^2 is V(n/2) - V(n).
+void ErrorControl::settle() {
+  for (std::size_t p = 0; p < pixel_count(); ++p) {
+    if (is_fresh_[p] != 0 && taken_[p] >= 4)
+      fall_.add(level_of(taken_[p]), weight_[p], outer_[p], inner_[p]);
+  }
+  fall_.settle();
+  for (std::size_t p = 0; p < pixel_count(); ++p) {
+    if (taken_[p] < 2) continue;
+    const double factor = fall_.factor(level_of(taken_[p]));
+    const double mean = taken_[p] < 4 ? outer_[p] : 0.5 * (outer_[p] + inner_[p] / factor);
+    own_[p] = static_cast<float>(mean / (factor - 1));
+    if (is_fresh_[p] == 0) continue;
+    const double now = double{own_[p]} * taken_[p];
+    spread_[p] = static_cast<float>(taken_[p] == 2 ? now : 0.5 * (now + 2 * spread_[p] / factor));
+  }
+}
+
+// What a pixel's last doubling says of its loss, if its variance were `scale`
+// times what it is.
+double ErrorControl::own_loss(std::size_t p, double scale) const {
+  if (taken_[p] < 2) return 0;
+  const double factor = fall_.factor(level_of(taken_[p])), by = scale / (factor - 1);
+  const double loss = loss_.of_square(outer_[p] * by);
+  return taken_[p] < 4 ? loss : 0.5 * (loss + loss_.of_square(inner_[p] / factor * by));
+}
+
+// Pixels that were chosen, and that would not have been for what the new half
+// of their samples shows.
+std::vector<ErrorControl::Exchanged> ErrorControl::exchange() const {
+  std::vector<Exchanged> exchanged;
+  for (std::size_t p = 0; p < pixel_count(); ++p) {
+    const std::uint32_t half = taken_[p] / 2;
+    if (is_fresh_[p] == 0 || half < 2 || weight_[p] > 1) continue;
+    const int level = level_of(half);
+    const double own = inner_[p] / (fall_.factor(level) - 1);
+    const double seemed = smoothed(p, own * half) / half;
+    if (class_of(seemed, half) <= threshold_)
+      exchanged.push_back({p, loss_.of_square(own), seemed});
+  }
+  return exchanged;
+}
+
+// Variances of means as decisions see them. One squared change says little
+// about one pixel; half of what is believed comes from the pixels around, by
+// the binomial weights 1 2 1, the pixel's own share of those included. An edge
+// that was missed here was seen next door. This is for one sample of pixel `p`,
+// if its own is `spread`.
+double ErrorControl::smoothed(std::size_t p, double spread) const {
+  const int y = static_cast<int>(p / static_cast<std::size_t>(width_));
+  const int x = static_cast<int>(p % static_cast<std::size_t>(width_));
+  double around = 0;
+  for (int j = -1; j <= 1; ++j) {
+    for (int i = -1; i <= 1; ++i) {
+      const auto row = static_cast<std::size_t>(std::clamp(y + j, 0, height_ - 1));
+      const auto column = static_cast<std::size_t>(std::clamp(x + i, 0, width_ - 1));
+      const std::size_t q = row * static_cast<std::size_t>(width_) + column;
+      around += (2 - std::abs(i)) * (2 - std::abs(j)) * (q == p ? spread : double{spread_[q]});
+    }
+  }
+  return 0.5 * (spread + around / 16);
+}
+
+void ErrorControl::smooth_variances() {
+  for (std::size_t p = 0; p < pixel_count(); ++p) {
+    double variance = smoothed(p, spread_[p]) / taken_[p];
+    if (is_fresh_[p] == 0)
+      variance += lots_[static_cast<std::size_t>(level_of(taken_[p]))].missed_variance();
+    variance_[p] = static_cast<float>(variance);
   }
 }
 
 void ErrorControl::add_up() {
-  for (ErrorLots& lots : lots_) {
-    lots.evaluate(loss_, threshold_,
-                  [&](std::size_t p) { return is_fresh_[p] != 0 ? fall_ * own_[p] : -1.0; });
-  }
-  std::array<double, kSampleLevels> resting{};
-  double loss = 0, noise = 0;
+  std::array<double, kSampleLevels> resting{}, losses{};
+  double noise = 0;
   for (std::size_t p = 0; p < pixel_count(); ++p) {
-    loss += loss_.of(own_[p]);
-    noise += loss_.noise(own_[p]);
-    if (is_fresh_[p] == 0) ++resting[level_of(taken_[p])];
+    const auto level = static_cast<std::size_t>(level_of(taken_[p]));
+    const double own = own_loss(p, 1);
+    losses[level] += own;
+    noise += loss_.noise(own, double{spread_[p]} / taken_[p]);
+    if (is_fresh_[p] == 0) ++resting[level];
   }
+  double loss = 0, doubt = 0;
   for (std::size_t level = 0; level < kSampleLevels; ++level) {
-    const double missed_noise = resting[level] * lots_[level].loss_noise();
-    loss += resting[level] * lots_[level].missed_loss();
-    noise += missed_noise * missed_noise;
+    ErrorLots& lots = lots_[level];
+    lots.evaluate(resting[level], [&](std::size_t p) -> std::optional<ErrorLots::Found> {
+      if (is_fresh_[p] == 0) return std::nullopt;
+      const double factor = fall_.factor(level_of(taken_[p]));
+      return ErrorLots::Found{own_loss(p, factor), factor * own_[p]};
+    });
+    const double by_factor = losses[level] * fall_.doubt(static_cast<int>(level));
+    doubt += by_factor * by_factor;
+    noise += lots.loss_noise();
+    loss += losses[level] + lots.missed_loss();
   }
   const auto pixels = static_cast<double>(pixel_count());
-  bound_on_loss_ = (loss + kQuantile * square_root(noise)) / pixels;
+  bound_on_loss_ = upper_bound(loss, noise + doubt, loss > 0 ? noise / loss : 0) / pixels;
   estimate_.value = loss_.value(loss / pixels);
   estimate_.bound = loss_.value(bound_on_loss_);
   smooth_variances();
 }
 
-// Every pixel counts by its class alone: what would be gained for each sample that is spent.
+int ErrorControl::class_of(double variance, std::uint32_t samples) const {
+  if (samples >= kMaxSamples) return 0;
+  const double gain =
+      loss_.counts_pixels() && variance > 0 ? loss_.of(variance) / variance : variance;
+  return PriorityClasses::of(gain / samples);
+}
+
+// Every pixel counts by its class alone: what would be gained for each sample
+// that is spent.
 void ErrorControl::choose() {
-  std::vector<PriorityClass> classes(kClasses);
-  std::vector<std::uint16_t> class_at(pixel_count(), 0);
+  PriorityClasses classes;
+  double samples = 0, weighted_fall = 0;
   for (std::size_t p = 0; p < pixel_count(); ++p) {
-    const double variance = variance_[p], loss = loss_.of(variance), samples = taken_[p];
-    const double gain = loss_.counts_pixels() && variance > 0 ? loss / variance : variance;
-    const int k = taken_[p] >= kMaxSamples ? 0 : class_of(gain / samples);
-    class_at[p] = static_cast<std::uint16_t>(k);
-    auto& all = classes[static_cast<std::size_t>(k)];
-    all.loss += loss;
-    all.samples += samples;
+    const double loss = loss_.of(variance_[p]);
+    classes.add(class_of(variance_[p], taken_[p]), loss, taken_[p]);
+    samples += taken_[p];
+    weighted_fall += loss * fall_.factor(level_of(2 * taken_[p]));
   }
-  double loss = 0;
-  for (const PriorityClass& all : classes)
-    loss += all.loss;
-  const double goal = loss * loss_.goal() / bound_on_loss_;
-  threshold_ = loss_.counts_pixels() ? threshold_of_pixels(classes, goal)
-                                     : threshold_of_squares(classes, fall_, goal);
-  samples_ahead_ = 0;
-  for (int k = threshold_ + 1; k < kClasses; ++k) {
-    samples_ahead_ += classes[static_cast<std::size_t>(k)].samples *
-                      (std::ldexp(1.0, doublings(k, threshold_)) - 1);
+  // The bound comes nearer to the estimate as more is known: of the last part
+  // of the way only half is gone at once.
+  const double share = loss_.goal() / bound_on_loss_;
+  const double loss = classes.loss();
+  const double goal = loss * std::min(square_root(share), square_root(2.0) * share);
+  threshold_ = loss_.counts_pixels()
+                   ? classes.threshold_of_pixels(goal)
+                   : classes.threshold_of_squares(loss > 0 ? weighted_fall / loss : 2, goal);
+  samples_ahead_ = classes.samples_above(threshold_);
+  const double fewest = kShareOfMean * samples / static_cast<double>(pixel_count());
+  const auto is_chosen = [&](double variance, std::uint32_t taken) {
+    return 2 * taken <= fewest || (class_of(variance, taken) > threshold_ && is_worth_it(variance));
+  };
+  for (int level = 0; level < kSampleLevels; ++level) {
+    lots_[static_cast<std::size_t>(level)].forget(
+        [&](double variance) { return is_chosen(variance, 1U << level); });
   }
   for (std::size_t p = 0; p < pixel_count(); ++p) {
     const int level = level_of(taken_[p]);
-    const bool is_chosen = class_at[p] > threshold_ && is_worth_it(variance_[p]);
-    has_next_ = has_next_ || is_chosen;
-    const bool by_lot = !is_chosen && taken_[p] < kMaxSamples && wins(p, level);
-    if (by_lot) lots_[static_cast<std::size_t>(level)].draw(p, class_at[p], own_[p]);
-    wanted_[p] = is_chosen || by_lot ? 2 * taken_[p] : taken_[p];
+    const bool chosen = is_chosen(variance_[p], taken_[p]);
+    has_next_ = has_next_ || chosen;
+    const bool by_lot = !chosen && taken_[p] < kMaxSamples && wins(p, level);
+    if (by_lot) lots_[static_cast<std::size_t>(level)].draw(p, own_loss(p, 1), variance_[p]);
+    wanted_[p] = chosen || by_lot ? 2 * taken_[p] : taken_[p];
+    weight_[p] = by_lot ? kLots : 1;
   }
   if (!has_next_) choose_all();
 }
@@ -268,15 +295,17 @@ void ErrorControl::choose_all() {
   }
 }
 
-// Where pixels are counted, some that are chosen by class are good enough already.
+// Where pixels are counted, some that are chosen by class are good enough
+// already.
 bool ErrorControl::is_worth_it(double variance) const {
   constexpr double kSmallShare = 0.1;
   return !loss_.counts_pixels() || loss_.of(variance) > kSmallShare * loss_.goal();
 }
 
 bool ErrorControl::wins(std::size_t p, int level) const {
-  return mix_64(mix_64(seed_ ^ kLotteryDimension, p), static_cast<std::uint64_t>(level)) % kLots ==
-         0;
+  const std::uint64_t number =
+      mix_64(mix_64(seed_ ^ kLotteryDimension, p), static_cast<std::uint64_t>(level));
+  return number % (level == 0 ? first_lots_ : kLots) == 0;
 }
 
 double ErrorControl::standard_error(std::size_t p) const {

@@ -66,7 +66,7 @@ struct RenderOptions {
   AovRequest aovs;
   const std::atomic<bool>* cancel = nullptr;  // looked at between batches
   // Seconds after which sampling for RenderSettings::max_error ends with what there is; 0: never.
-  // Each pixel has two samples at least.
+  // Each pixel has a sample at least, and some have two.
   double time_limit = 0;
   WorkLimits limits;
 };

@@ -48,6 +48,11 @@ bool TileRenderer<Real>::add_samples(PixelRect tile, const Deadline& deadline, P
   for (const Wanting& w : wanting_) {
     if (pixels_[w.pixel].taken < w.wanted) continue;
     const Value mean = sums_[w.pixel].mean(job_.world.filter);
+    const std::size_t p = number_of(pixels_[w.pixel]);
+    if (w.wanted == 1) {
+      control.record_first(p, {mean[0], mean[1], mean[2]});
+      continue;
+    }
     PixelChange change;
     for (std::size_t c = 0; c < 3; ++c) {
       change.outer[c] = w.before[c] - mean[c];
@@ -55,7 +60,7 @@ bool TileRenderer<Real>::add_samples(PixelRect tile, const Deadline& deadline, P
       // / 4.
       if (w.wanted >= 4) change.inner[c] = 3 * w.middle[c] - w.before[c] - 2 * mean[c];
     }
-    control.record(number_of(pixels_[w.pixel]), change);
+    control.record(p, change);
   }
   swap_with(kept);
   return done;

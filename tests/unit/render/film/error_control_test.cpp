@@ -32,7 +32,7 @@ struct Picture {
 
 struct Outcome {
   double estimate, bound, rmse, share_over, samples_of_a_pixel;
-  bool reached;
+  bool reached, has_seen_anything;
 };
 
 // What the renderer does: passes of samples until the control has no more.
@@ -58,21 +58,30 @@ Outcome sampled(const Picture& picture, const ErrorTarget& target, std::uint64_t
       const double middle = pixels[p].mean();
       take(p, wanted);
       const double after = pixels[p].mean(), outer = before - after;
+      if (wanted == 1) {
+        control.record_first(p, {after, after, after});
+        continue;
+      }
       const double inner = wanted < 4 ? 0 : 3 * middle - before - 2 * after;
       control.record(p, {{outer, outer, outer}, {inner, inner, inner}});
     }
     control.plan_next();
   }
-  double squares = 0, over = 0;
+  double squares = 0, over = 0, sum = 0;
   for (std::size_t p = 0; p < pixels.size(); ++p) {
     const double error = pixels[p].mean() - picture.area(p);
     squares += error * error;
+    sum += pixels[p].sum;
     over += std::abs(error) > target.error ? 1 : 0;
   }
   const auto count = static_cast<double>(picture.size());
-  return {
-      control.estimate().value, control.estimate().bound, std::sqrt(squares / count), over / count,
-      samples / count,          control.reached()};
+  return {control.estimate().value,
+          control.estimate().bound,
+          std::sqrt(squares / count),
+          over / count,
+          samples / count,
+          control.reached(),
+          sum > 0};
 }
 
 Picture all_in_half() {
@@ -82,18 +91,77 @@ Picture all_in_half() {
 Picture few_edges() {
   return {.area = [](std::size_t p) { return p % 13 == 0 ? 0.2 + 0.6 * double(p % 7) / 6 : 0; }};
 }
-// One pixel in 200 has something small in it, and its neighbours nothing.
+// One pixel in 30 has something small in it, and its neighbours nothing: ten pixels' area in all.
 Picture specks() {
-  return {.area = [](std::size_t p) { return mix_64(5, p) % 200 == 0 ? 0.1 : 0; }};
+  return {.area = [](std::size_t p) { return mix_64(5, p) % 30 == 0 ? 0.1 : 0; }};
+}
+// Black on the left; the column in the middle is covered by `middle`.
+Picture half_and_half(double middle) {
+  return {.area = [middle](std::size_t p) {
+    const std::size_t x = p % 64;
+    return x < 32 ? 0 : x == 32 ? middle : 1;
+  }};
 }
 
-// A target of 1/255 believes four samples that show nothing.
+// One sample of each pixel, and a second of one in eight.
 TEST(ErrorControl, APictureWithoutNoiseIsKnownFromFewSamples) {
-  const Outcome outcome = sampled({.area = [](std::size_t) { return 1.0; }}, {1.0 / 255, 0}, 1);
+  for (const double error : {1.0 / 64, 1.0 / 255, 1.0 / 1024}) {
+    const Outcome outcome = sampled({.area = [](std::size_t) { return 1.0; }}, {error, 0}, 1);
+    EXPECT_TRUE(outcome.reached);
+    EXPECT_EQ(outcome.estimate, 0);
+    EXPECT_EQ(outcome.bound, 0);
+    EXPECT_LE(outcome.samples_of_a_pixel, 1.3);
+  }
+}
+
+// An edge between pixels makes them differ and is no noise: both columns beside it are looked at.
+TEST(ErrorControl, EdgesBetweenPixelsAreNoNoise) {
+  const Outcome outcome = sampled(half_and_half(1), {1.0 / 1024, 0}, 1);
   EXPECT_TRUE(outcome.reached);
-  EXPECT_EQ(outcome.estimate, 0);
   EXPECT_EQ(outcome.bound, 0);
-  EXPECT_EQ(outcome.samples_of_a_pixel, 4);
+  EXPECT_LE(outcome.samples_of_a_pixel, 1.3);
+}
+
+// The whole error is in 48 of 3072 pixels. Its samples are V = 1/4 at most, so that n of each pixel
+// there are enough for 48 / 3072 / 4 / n = E^2: 254 at 1/255, which are 4 a pixel of the picture.
+TEST(ErrorControl, AnEdgeTakesTheSamples) {
+  const Outcome outcome = sampled(half_and_half(0.5), {1.0 / 255, 0}, 1);
+  EXPECT_TRUE(outcome.reached);
+  EXPECT_LE(outcome.rmse, 1.0 / 255);
+  EXPECT_LE(outcome.samples_of_a_pixel, 4);
+}
+
+// A dot of area a in one pixel is met by the first sample, or else by the second of one pixel in
+// eight: with the probability 1 - (1 - a) (1 - a / 8).
+TEST(ErrorControl, ADotIsFoundAsOftenAsItsAreaSays) {
+  constexpr int kTimes = 400;
+  for (const double a : {0.1, 0.5}) {
+    Picture picture{.area = [a](std::size_t p) { return p == 1000 ? a : 0; },
+                    .is_stratified = false};
+    int found = 0;
+    for (std::uint64_t seed = 1; seed <= kTimes; ++seed)
+      found += sampled(picture, {1.0 / 64, 0}, seed).has_seen_anything ? 1 : 0;
+    const double p = 1 - (1 - a) * (1 - a / 8), expected = kTimes * p;
+    EXPECT_NEAR(found, expected, 3 * std::sqrt(expected * (1 - p))) << a;
+  }
+}
+
+// Of dots that the first samples met, the others are known to be there: all of the dots together
+// are ten pixels, and are missed with the probability exp(-10).
+TEST(ErrorControl, DotsThatWereMetTellOfThoseThatWereNot) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Outcome outcome = sampled(specks(), {1.0 / 255, 0}, seed);
+    EXPECT_GT(outcome.samples_of_a_pixel, 2) << seed;
+  }
+}
+
+// A pixel alone has no neighbours and is its own lot.
+TEST(ErrorControl, SmallPicturesAreLookedAtTwiceEverywhere) {
+  Picture picture = half_and_half(1);
+  picture.width = picture.height = 1;
+  const Outcome outcome = sampled(picture, {1.0 / 255, 0}, 1);
+  EXPECT_TRUE(outcome.reached);
+  EXPECT_EQ(outcome.samples_of_a_pixel, 2);
 }
 
 // The bound is to hold in 95 % of the pictures: of 40 pictures, 6 or more would be beyond it with a
