@@ -44,6 +44,15 @@ class SceneBuilder {
   void light(LightSource source) {
     scene.lights.push_back({std::move(source), true, kNoId, "", {}});
   }
+  // A lamp that is seen.
+  void visible_light(const RectangleLight& lamp) {
+    const MaterialId worn = material(Black{}, lamp.radiance);
+    scene.materials.back().one_sided_emission = true;
+    const ShapeId shape = add(Quad4{lamp.corner, lamp.edge_u, lamp.edge_v}, worn);
+    const auto light = static_cast<LightId>(scene.lights.size());
+    change(shape, [light](Shape& lit) { lit.light = light; });
+    scene.lights.push_back({lamp, true, shape, "", {}});
+  }
   void background(double radiance) { scene.background.source = SolidBackground{Rgbd(radiance)}; }
 
   // A camera at `position` that looks along `forward` with `up` above; both of unit length and

@@ -95,6 +95,7 @@ ShapeTable<Real>::ShapeTable(const ShapeList& shapes, Vec3d world_origin,
   twins_ = find_twins<Real>(
       size(), [this](ShapeId id) { return landmarks(id); },
       rank ? rank : [](ShapeId) { return 0; });
+  lay_sheets(shapes);
 }
 
 // In the frame that the shape's kernel lives in.

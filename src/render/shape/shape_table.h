@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/scene/shape_list.h"
@@ -16,6 +17,7 @@
 #include "render/shape/convert.h"
 #include "render/shape/doubt.h"
 #include "render/shape/kernel_arrays.h"
+#include "render/shape/laid.h"
 #include "render/shape/normal_map.h"
 #include "render/shape/twins.h"
 
@@ -60,6 +62,14 @@ class ShapeTable {
   Vec3<Real> world_origin() const { return world_origin_; }
   // Those that are one surface with another. Every function here is of the shape itself.
   const Twins& twins() const { return twins_; }
+  // By what a quad or a disc was moved because it lies on another shape (laid.h); mostly nothing.
+  Vec3<Real> lift(ShapeId id) const {
+    const auto laid = laid_.find(id);
+    return laid == laid_.end() ? Vec3<Real>() : laid->second;
+  }
+  // By what a lamp that is no shape has to be moved in order to lie on the shapes. Its corners are
+  // in the moved world frame, its light goes to where cross(1 - 0, 3 - 0) points.
+  Vec3<Real> lift_of_lamp(const std::array<Vec3<Real>, 4>& corners) const;
 
   // Rays, points and normals are in the moved world frame. L is Real, or lanes of it.
 
@@ -103,7 +113,10 @@ class ShapeTable {
 
  private:
   class Builder;
+  class Flats;
 
+  void lay_sheets(const ShapeList& shapes);
+  void move(ShapeId sheet, Vec3<Real> shift);
   Ray<Real> own_ray(const Entry& entry, const Ray<Real>& ray) const;
   template <template <class> class RayKind, class L>
   CrossingPair<L> crossings_of(const Entry& entry, const RayKind<L>& ray) const {
@@ -126,6 +139,7 @@ class ShapeTable {
   KernelArrays<Real> kernels_;
   Vec3<Real> world_origin_;
   Twins twins_;
+  std::unordered_map<ShapeId, Vec3<Real>> laid_;
 };
 
 extern template class ShapeTable<float>;

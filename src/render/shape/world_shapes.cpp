@@ -42,6 +42,15 @@ auto WorldShapes<Real>::with_table(ShapeId id, const Work& work) const {
 }
 
 template <class Real>
+Vec3<Real> WorldShapes<Real>::lift(ShapeId id) const {
+  return with_table(
+      id, [](const ShapeTable<Real>& table, ShapeId number, const Placement<Real>* place) {
+        const Vec3<Real> own = table.lift(number);
+        return place == nullptr ? own : place->world_from_object.vector(own);
+      });
+}
+
+template <class Real>
 Crossings<Real> WorldShapes<Real>::crossings(ShapeId id, const Ray<Real>& ray,
                                              Departure from) const {
   return with_table(

@@ -29,6 +29,8 @@ class WorldShapes {
   // Of single shapes, and of the shapes of each instance. Those of two instances, or of an instance
   // and single, are each taken for a surface of its own.
   const Twins& twins() const { return has_instances() ? twins_ : singles_.twins(); }
+  // As of ShapeTable, in the world frame.
+  Vec3<Real> lift(ShapeId id) const;
   // Which shape of which table an id is.
   const InstanceIndex& index() const { return index_; }
 

@@ -24,7 +24,9 @@ struct PlacedLight {
 
 template <class Real>
 struct Lights {
-  Lights(const std::vector<Light>& lights, Vec3d world_offset) {
+  // lift(visible shape or kNoId, kernel): by what a rectangle is to be moved (shape/laid.h).
+  template <class Lift>
+  Lights(const std::vector<Light>& lights, Vec3d world_offset, const Lift& lift) {
     LightId next = 0;
     for (const Light& light : lights) {
       if (!shines(light)) continue;
@@ -43,7 +45,9 @@ struct Lights {
                 place(spheres, SphereLightKernel<Real>(l, world_offset));
               },
               [&](const RectangleLight& l) {
-                place(rectangles, RectangleLightKernel<Real>(l, world_offset));
+                RectangleLightKernel<Real> kernel(l, world_offset);
+                kernel.corner = kernel.corner + lift(light.visible_shape, kernel);
+                place(rectangles, kernel);
               },
               [&](const AmbientLight& l) { ambient += Rgb<Real>(l.radiance); }},
           light.source);

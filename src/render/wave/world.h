@@ -30,7 +30,8 @@ struct World {
         shapes(scene.shapes, world_offset,
                [&](ShapeId id) { return depth_of_layer(scene.shapes[id]); }),
         tree(shapes, threads),
-        lights(scene.lights, world_offset),
+        lights(scene.lights, world_offset,
+               [this](ShapeId visible, const auto& lamp) { return lift(visible, lamp); }),
         camera(scene.camera, scene.settings.width, scene.settings.height),
         background(scene.background, pictures),
         material_of(scene.shapes, shapes.index()),
@@ -93,6 +94,12 @@ struct World {
   std::uint64_t seed;
 
  private:
+  // By what a lamp is moved that was written in the plane of a shape.
+  Vec3<Real> lift(ShapeId visible, const RectangleLightKernel<Real>& lamp) const {
+    if (visible != kNoId) return shapes.lift(visible);
+    const Vec3<Real>&corner = lamp.corner, &u = lamp.edge_u, &v = lamp.edge_v;
+    return shapes.singles().lift_of_lamp({corner, corner + u, corner + u + v, corner + v});
+  }
   // Of surfaces that are one: what is clear is outside of what is not, of clear solids the one of
   // lower priority, and a lamp shines on what it lies on.
   int depth_of_layer(const Shape& shape) const {

@@ -216,5 +216,43 @@ TEST(Hard, B4_RedShapesInGlassOfTheirSize) {
   }
 }
 
+// A lamp in the very plane of a ceiling that is turned to no axis, and the same lamp a little
+// below.
+std::vector<double> lit_by_ceiling_lamp(Precision p, double s, double below, bool with_box) {
+  SceneBuilder b;
+  const Affined turn = rotation({1, 2, -2}, 33.3);
+  const MaterialId grey = b.diffuse(0.7);
+  const auto turned = [&](Shape& shape) { shape.world_from_object = turn; };
+  b.change(b.add(Plane{{0, 1, 0}, 0}, grey), turned);
+  const double h = 2 * s;
+  if (with_box) {
+    b.change(b.add(Box{{-h, h, -h}, {h, 1.1 * h, h}}, grey), turned);
+  } else {
+    b.change(b.add(Plane{{0, -1, 0}, -h}, grey), turned);
+  }
+  RectangleLight lamp{{}, {}, {}, Rgbd(5), 4};
+  lamp.corner = turn.point({-0.5 * s, h - below, -0.5 * s});
+  lamp.edge_u = turn.vector({s, 0, 0});
+  lamp.edge_v = turn.vector({0, 0, s});
+  b.visible_light(lamp);
+  set_size(b, side_for(24));
+  b.look(turn.point(s * Vec3d(0.3, 1.1, -2.5)), turn.vector({0, 0, 1}), turn.vector({0, 1, 0}), 80);
+  return pixels(b.scene, p);
+}
+
+TEST(Hard, B4_LampInACeiling) {
+  for (const Precision p : kScalars) {
+    int bad = 0;
+    for (const double s : {0x1p-10, 1.0, 0x1p10}) {
+      for (const bool with_box : {true, false}) {
+        const double below = (p == Precision::float32 ? 0x1p-9 : 0x1p-20) * s;
+        bad += bad_pixels(lit_by_ceiling_lamp(p, s, 0, with_box),
+                          lit_by_ceiling_lamp(p, s, below, with_box));
+      }
+    }
+    figure("B4", name_of(p), "bad pixels of a lamp in the plane of a ceiling, turned", bad, 0);
+  }
+}
+
 }  // namespace
 }  // namespace alhazen::hard

@@ -1,0 +1,62 @@
+// render/shape: flat things that were written in the very plane of something else.
+//
+// A rug on a floor, a label on a box, a lamp in a ceiling: which of two faces in one plane a ray
+// meets first is beyond the digits of any point on them. So it is a rule. A quad or a disc in the
+// plane of a solid's face lies on that face, on its outside; of two that lie on one face and
+// overlap, the later in the scene lies on the earlier. A rectangle light also lies on quads and
+// discs, on the side that it shines to. What lies on another is moved out by kLift roundings of its
+// distance from the origin, which is more than the kernels' errors (bounds.h) for every ray from no
+// farther than about ten times that, and less than anything that can be seen.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/math/transform.h"
+#include "core/scene/shape.h"
+#include "render/shape/crossing.h"
+
+namespace alhazen::render {
+
+// A flat piece of a surface, in the world frame of a shape table.
+template <class Real>
+struct FlatFace {
+  ShapeId shape = kNoId;
+  Vec3<Real> normal;    // unit, outward
+  Vec3<Real> point;     // in its plane
+  Vec3<Real> min, max;  // holds the face
+  Real extent = 0;      // the largest coordinate of the face, or of `point` if it has no end
+};
+
+// The face of which these are corners, in a plane that has this normal, of any length.
+template <class Real>
+FlatFace<Real> flat_face(ShapeId shape, Vec3<Real> normal, std::array<Vec3<Real>, 4> corners);
+
+// A whole plane.
+template <class Real>
+FlatFace<Real> endless_face(ShapeId shape, Vec3<Real> unit_normal, Real offset);
+
+// Whether both lie in one plane, to 16 ulp of their coordinates, and over each other.
+template <class Real>
+bool share_a_place(const FlatFace<Real>& a, const FlatFace<Real>& b);
+
+// A quad or a disc.
+template <class Real>
+struct Sheet {
+  FlatFace<Real> face;
+  bool is_lamp = false;
+};
+
+template <class Real>
+struct Laid {
+  ShapeId shape;
+  Vec3<Real> shift;  // world frame
+};
+
+// Those of the sheets that lie on another, and by what they are moved. `faces` are those of solids;
+// both stand in the order of their ids.
+template <class Real>
+std::vector<Laid<Real>> find_laid(const std::vector<FlatFace<Real>>& faces,
+                                  const std::vector<Sheet<Real>>& sheets);
+
+}  // namespace alhazen::render
