@@ -69,6 +69,11 @@ inline Quadratic<Real> sphere_equation(Vec3<Real> o, Vec3<Real> d, Real radius) 
   if (any(clear)) {
     equation.b = sharp_dot(o, d, clear);
     equation.c = sphere_power(o, radius, clear);
+    // Near the surface these are the smaller terms of the same number, as in two words.
+    const Real powers = a * equation.c;
+    const MaskOf<Real> near = fused_multiply_add(equation.b, equation.b, absolute(powers)) < reach;
+    equation.discriminant =
+        select(near, fused_multiply_add(equation.b, equation.b, -powers), equation.discriminant);
   }
   return any(lost) ? select(lost, two_word_equation(o, d, radius), equation) : equation;
 }

@@ -159,7 +159,8 @@ void needles() {
     const Vec3d target = a + u * (b - a) + v * (c - a);
     const Vec3d d = normalized(dice.uniform(-1, 1) * along / size + dice.uniform(-1, 1) * aside +
                                lift * cross(along / size, aside));
-    const Ray<Real> ray = ray_of<Real>(target - 3.0 * d, d);
+    // From before all of its corners: t of a ray almost in its plane may be anywhere among theirs.
+    const Ray<Real> ray = ray_of<Real>(target - (3 + 4 * size) * d, d);
     Triangle<Quad> oracle;
     for (std::size_t k = 0; k < 3; ++k)
       oracle.corners[k] = Vec3<Quad>(needle.corners[k]);
