@@ -114,7 +114,7 @@ bool share_a_place(const FlatFace<Real>& a, const FlatFace<Real>& b) {
 
 template <class Real>
 std::vector<Laid<Real>> find_laid(const std::vector<FlatFace<Real>>& faces,
-                                  const std::vector<Sheet<Real>>& sheets) {
+                                  const std::vector<Sheet<Real>>& sheets, Real reach) {
   std::vector<FlatFace<Real>> flats;
   for (const Sheet<Real>& sheet : sheets)
     flats.push_back(sheet.face);
@@ -138,8 +138,8 @@ std::vector<Laid<Real>> find_laid(const std::vector<FlatFace<Real>>& faces,
     level[s] = below + 1;
     const Vec3<Real> out =
         is_grounded && !sheets[s].is_lamp ? faces[ground].normal : flats[s].normal;
-    const Real lift =
-        Real(kLift) * ScalarTraits<Real>::unit_roundoff() * face.extent * Real(level[s]);
+    const Real lift = Real(kLift) * ScalarTraits<Real>::unit_roundoff() *
+                      larger(face.extent, reach) * Real(level[s]);
     laid.push_back({face.shape, lift * out});
   }
   return laid;
@@ -149,18 +149,18 @@ template FlatFace<float> flat_face(ShapeId, Vec3<float>, std::array<Vec3<float>,
 template FlatFace<float> endless_face(ShapeId, Vec3<float>, float);
 template bool share_a_place(const FlatFace<float>&, const FlatFace<float>&);
 template std::vector<Laid<float>> find_laid(const std::vector<FlatFace<float>>&,
-                                            const std::vector<Sheet<float>>&);
+                                            const std::vector<Sheet<float>>&, float);
 template FlatFace<double> flat_face(ShapeId, Vec3<double>, std::array<Vec3<double>, 4>);
 template FlatFace<double> endless_face(ShapeId, Vec3<double>, double);
 template bool share_a_place(const FlatFace<double>&, const FlatFace<double>&);
 template std::vector<Laid<double>> find_laid(const std::vector<FlatFace<double>>&,
-                                             const std::vector<Sheet<double>>&);
+                                             const std::vector<Sheet<double>>&, double);
 #if ALHAZEN_HAS_QUAD
 template FlatFace<Quad> flat_face(ShapeId, Vec3<Quad>, std::array<Vec3<Quad>, 4>);
 template FlatFace<Quad> endless_face(ShapeId, Vec3<Quad>, Quad);
 template bool share_a_place(const FlatFace<Quad>&, const FlatFace<Quad>&);
 template std::vector<Laid<Quad>> find_laid(const std::vector<FlatFace<Quad>>&,
-                                           const std::vector<Sheet<Quad>>&);
+                                           const std::vector<Sheet<Quad>>&, Quad);
 #endif
 
 }  // namespace alhazen::render

@@ -54,9 +54,10 @@ struct Laid {
 };
 
 // Those of the sheets that lie on another, and by what they are moved. `faces` are those of solids;
-// both stand in the order of their ids.
+// both stand in the order of their ids. The lift is of no less than `reach`, how far away rays may
+// start where the origin is not the camera.
 template <class Real>
 std::vector<Laid<Real>> find_laid(const std::vector<FlatFace<Real>>& faces,
-                                  const std::vector<Sheet<Real>>& sheets);
+                                  const std::vector<Sheet<Real>>& sheets, Real reach);
 
 }  // namespace alhazen::render

@@ -87,7 +87,7 @@ class ShapeTable<Real>::Builder {
 
 template <class Real>
 ShapeTable<Real>::ShapeTable(const ShapeList& shapes, Vec3d world_origin,
-                             const std::function<int(ShapeId)>& rank)
+                             const std::function<int(ShapeId)>& rank, double reach)
     : world_origin_(world_origin) {
   Builder builder(*this, world_origin);
   for (const Shape& shape : shapes)
@@ -95,7 +95,7 @@ ShapeTable<Real>::ShapeTable(const ShapeList& shapes, Vec3d world_origin,
   twins_ = find_twins<Real>(
       size(), [this](ShapeId id) { return landmarks(id); },
       rank ? rank : [](ShapeId) { return 0; });
-  lay_sheets(shapes);
+  lay_sheets(shapes, static_cast<Real>(reach));
 }
 
 // In the frame that the shape's kernel lives in.

@@ -53,9 +53,10 @@ class ShapeTable {
   // Shapes keep their order: a ShapeId here is one in the scene. Of those that are one surface, the
   // one of the lowest rank(shape) is outermost; without ranks, the first.
   ShapeTable(const ShapeList& shapes, Vec3d world_origin,
-             const std::function<int(ShapeId)>& rank = {});
-  // In the frame that they are given in.
-  explicit ShapeTable(const ShapeList& shapes) : ShapeTable(shapes, Vec3d()) {}
+             const std::function<int(ShapeId)>& rank = {}, double reach = 0);
+  // In the frame that they are given in, to rays from as far away as `reach`.
+  explicit ShapeTable(const ShapeList& shapes, double reach = 0)
+      : ShapeTable(shapes, Vec3d(), {}, reach) {}
 
   ShapeId size() const { return static_cast<ShapeId>(entries_.size()); }
   // What was subtracted: scene position = position + world_origin.
@@ -115,7 +116,7 @@ class ShapeTable {
   class Builder;
   class Flats;
 
-  void lay_sheets(const ShapeList& shapes);
+  void lay_sheets(const ShapeList& shapes, Real reach);
   void move(ShapeId sheet, Vec3<Real> shift);
   Ray<Real> own_ray(const Entry& entry, const Ray<Real>& ray) const;
   template <template <class> class RayKind, class L>

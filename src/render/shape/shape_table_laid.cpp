@@ -94,13 +94,13 @@ class ShapeTable<Real>::Flats {
 };
 
 template <class Real>
-void ShapeTable<Real>::lay_sheets(const ShapeList& shapes) {
+void ShapeTable<Real>::lay_sheets(const ShapeList& shapes, Real reach) {
   if (kernels_.parallelograms.empty() && kernels_.discs.empty()) return;
   Flats flats(*this);
   ShapeId id = 0;
   for (const Shape& shape : shapes)
     flats.add(id++, shape.light != kNoId);
-  for (const Laid<Real>& laid : find_laid(flats.faces, flats.sheets)) {
+  for (const Laid<Real>& laid : find_laid(flats.faces, flats.sheets, reach)) {
     // All layers of a stack stay one surface.
     ShapeId layer = twins_.first(laid.shape, true);
     for (; layer != kNoId; layer = twins_.after(layer, true)) {
@@ -117,7 +117,7 @@ Vec3<Real> ShapeTable<Real>::lift_of_lamp(const std::array<Vec3<Real>, 4>& corne
     flats.add(id, false);
   const Vec3<Real> normal = cross(corners[1] - corners[0], corners[3] - corners[0]);
   flats.sheets.push_back({flat_face(size(), normal, corners), true});
-  const auto laid = find_laid(flats.faces, flats.sheets);
+  const auto laid = find_laid(flats.faces, flats.sheets, Real(0));
   return !laid.empty() && laid.back().shape == size() ? laid.back().shift : Vec3<Real>();
 }
 
@@ -136,14 +136,14 @@ void ShapeTable<Real>::move(ShapeId sheet, Vec3<Real> shift) {
 
 template Vec3<float> ShapeTable<float>::lift_of_lamp(const std::array<Vec3<float>, 4>&) const;
 template void ShapeTable<float>::move(ShapeId, Vec3<float>);
-template void ShapeTable<float>::lay_sheets(const ShapeList&);
+template void ShapeTable<float>::lay_sheets(const ShapeList&, float);
 template Vec3<double> ShapeTable<double>::lift_of_lamp(const std::array<Vec3<double>, 4>&) const;
 template void ShapeTable<double>::move(ShapeId, Vec3<double>);
-template void ShapeTable<double>::lay_sheets(const ShapeList&);
+template void ShapeTable<double>::lay_sheets(const ShapeList&, double);
 #if ALHAZEN_HAS_QUAD
 template Vec3<Quad> ShapeTable<Quad>::lift_of_lamp(const std::array<Vec3<Quad>, 4>&) const;
 template void ShapeTable<Quad>::move(ShapeId, Vec3<Quad>);
-template void ShapeTable<Quad>::lay_sheets(const ShapeList&);
+template void ShapeTable<Quad>::lay_sheets(const ShapeList&, Quad);
 #endif
 
 }  // namespace alhazen::render

@@ -1,5 +1,7 @@
 #include "render/shape/world_shapes.h"
 
+#include <algorithm>
+
 #include "render/shape/from_scene.h"
 
 namespace alhazen::render {
@@ -10,8 +12,8 @@ WorldShapes<Real>::WorldShapes(const SceneShapes& shapes, Vec3d world_origin,
     : singles_(shapes.singles(), world_origin,
                [&](ShapeId n) { return rank ? rank(shapes.index().id_of_single(n)) : 0; }),
       index_(shapes.index()) {
-  for (const ShapeList& prototype : shapes.prototypes())
-    prototypes_.emplace_back(prototype);
+  // How far the camera is from a group, at most, in the group's frame.
+  std::vector<double> reach_of(shapes.prototypes().size(), 0);
   placements_.reserve(shapes.instance_count());
   prototype_of_.reserve(shapes.instance_count());
   for (InstanceId id = 0; id < shapes.instance_count(); ++id) {
@@ -19,7 +21,11 @@ WorldShapes<Real>::WorldShapes(const SceneShapes& shapes, Vec3d world_origin,
     placements_.push_back(
         {Affine<Real>(place.world_from_object), Affine<Real>(place.object_from_world)});
     prototype_of_.push_back(shapes.prototype_of(id));
+    double& reach = reach_of[shapes.prototype_of(id)];
+    reach = std::max(reach, largest_coordinate(place.object_from_world.point(Vec3d())));
   }
+  for (const ShapeList& prototype : shapes.prototypes())
+    prototypes_.emplace_back(prototype, reach_of[prototypes_.size()]);
   if (!has_instances()) return;
   const auto rank_of = [&rank](ShapeId id) { return rank ? rank(id) : 0; };
   const auto id_of_single = [this](ShapeId n) { return index_.id_of_single(n); };

@@ -39,7 +39,7 @@ ShapeList round_and_square(SceneBuilder& b) {
   add(Box{{-1, -0.75, -0.5}, {-0.5, -0.25, 0.5}}, kNoId);
   add(Box{{-0.5, -0.75, -0.5}, {0, -0.25, 0.5}}, glass);
   add(Cylinder{{0.5, -0.75, 0}, {0.5, 0.5, 0.25}, 0.25, true}, kNoId);
-  add(Disc{{0, -0.75, 0}, {0, 1, 0}, 1.5, 0}, kNoId);
+  add(Disc{{0, -0.875, 0}, {0, 1, 0}, 1.5, 0}, kNoId);
   return group;
 }
 
