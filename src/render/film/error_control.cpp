@@ -128,7 +128,7 @@ void ErrorControl::look_again() {
     if (class_of(first_.difference(p), 1) <= threshold_) {
       lots_[0].add_drawn({seemed, loss, found - seemed});
     } else if (class_of(other, 1) <= threshold_) {
-      lots_[0].add_exchanged({ratio * other, loss, found});
+      lots_[0].add_exchanged({ratio * other, loss, found - ratio * other});
     }
   }
   first_.forget();
@@ -255,7 +255,7 @@ void ErrorControl::choose() {
     const double loss = loss_.of(variance_[p]);
     classes.add(class_of(variance_[p], taken_[p]), loss, taken_[p]);
     samples += taken_[p];
-    weighted_fall += loss * fall_.factor(level_of(2 * taken_[p]));
+    weighted_fall += loss * fall_.factor(std::min(level_of(taken_[p]) + 1, kSampleLevels - 1));
   }
   // The bound comes nearer to the estimate as more is known: of the last part
   // of the way only half is gone at once.

@@ -27,8 +27,8 @@ class ErrorLoss {
   // variance itself, or the probability that the mean is off by more than the
   // target. The variance is an estimate of few degrees of freedom; eight, for
   // Student's distribution, which then has the closed form
-  //   P(|T| > t) = 1 - s (1 + c / 2 + 3 c^2 / 8 + 5 c^3 / 16), s^2 = t^2 / (8 +
-  //   t^2), c = 1 - s^2.
+  //   P(|T| > t) = 1 - s (1 + c / 2 + 3 c^2 / 8 + 5 c^3 / 16),
+  //   s^2 = t^2 / (8 + t^2), c = 1 - s^2.
   double of(double variance) const {
     if (!counts_pixels()) return variance;
     if (!(variance > 0)) return 0;

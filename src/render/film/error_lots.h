@@ -10,11 +10,7 @@
 
 namespace alhazen::render {
 
-// A pixel that moved little gets no more samples, so those that rest are those
-// that happened to move little: by themselves they look better than they are.
-// Of all that rest with equally many samples some, drawn by lot, go on
-// nevertheless. How far those move is not biased by the choice, and says what
-// the others were taken for too little. What a sum of squares may be, most of
+// What a sum of squares may be, most of
 // them small and few large, if it came out as `sum` with that variance:
 // one-sided, with kErrorConfidence. As a number of events, each of which adds
 // `typical` (E. B. Wilson, JASA 22, 1927).
@@ -24,6 +20,11 @@ inline double upper_bound(double sum, double variance, double typical) {
   return sum + kQuantile * (half + square_root(variance + half * half));
 }
 
+// A pixel that moved little gets no more samples, so those that rest are those
+// that happened to move little: by themselves they look better than they are.
+// Of all that rest with equally many samples some, drawn by lot, go on
+// nevertheless. How far those move is not biased by the choice, and says what
+// the others were taken for too little.
 class ErrorLots {
  public:
   struct Found {
@@ -103,8 +104,8 @@ void ErrorLots::evaluate(double resting, const Find& find) {
   }
   open_.clear();
   missed_loss_ = missed_variance_ = loss_noise_ = 0;
-  if (resting == 0 || drawn_.empty()) return;
-  const double weight = resting / static_cast<double>(drawn_.size());
+  if (resting == 0 || (drawn_.empty() && exchanged_.empty())) return;
+  const double weight = drawn_.empty() ? 0 : resting / static_cast<double>(drawn_.size());
   const Sums drawn = sum_up(drawn_, weight), exchanged = sum_up(exchanged_, 1);
   missed_loss_ = larger(0.0, drawn.loss);
   loss_noise_ = drawn.loss_squares;
@@ -115,7 +116,7 @@ void ErrorLots::evaluate(double resting, const Find& find) {
   if (is_enough || !(exchanged.loss > missed_loss_)) return;
   const double typical = weight * exchanged.loss_squares / exchanged.loss;
   const double highest = upper_bound(missed_loss_, drawn.loss_squares, typical);
-  const double share = smaller(1.0, highest / exchanged.loss);
+  const double share = drawn_.empty() ? 1 : smaller(1.0, highest / exchanged.loss);
   missed_loss_ = larger(missed_loss_, share * exchanged.loss);
   loss_noise_ = larger(loss_noise_, exchanged.loss_squares);
   missed_variance_ = larger(missed_variance_, share * exchanged.variance / resting);

@@ -27,12 +27,12 @@ class VarianceFall {
   // fair sample of all, for they were chosen for what the old half showed.
   void add(int level, double weight, double outer, double inner) {
     Sums& sums = sums_[static_cast<std::size_t>(level)];
-    sums.weight += weight;
-    sums.weight_squares += weight * weight;
     sums.outer += weight * outer;
     sums.inner += weight * inner;
     sums.outer_squares += weight * outer * weight * outer;
     sums.inner_squares += weight * inner * weight * inner;
+    sums.products += weight * outer * weight * inner;
+    ++sums.count;
   }
 
   // Takes account of all that has been added. A level is expected to be like
@@ -42,13 +42,14 @@ class VarianceFall {
     double factor = kSlowest, variance = (kFastest - kSlowest) * (kFastest - kSlowest) / 3;
     for (std::size_t level = 2; level < kSampleLevels; ++level) {
       const Sums& sums = sums_[level];
-      if (sums.outer > 0 && sums.inner > 0) {
+      if (sums.count >= 2 && sums.outer > 0 && sums.inner > 0) {
         const double ratio = sums.inner / sums.outer;
-        // The relative variances of the two sums.
-        const double relative = sums.outer_squares / (sums.outer * sums.outer) +
-                                sums.inner_squares / (sums.inner * sums.inner) -
-                                2 * sums.weight_squares / (sums.weight * sums.weight);
-        const double measured = ratio * ratio * relative, both = measured + variance;
+        // That of a ratio of sums: of what the pixels differ from it.
+        const double residues =
+            sums.inner_squares - 2 * ratio * sums.products + ratio * ratio * sums.outer_squares;
+        const double measured =
+            larger(0.0, residues) / (sums.outer * sums.outer) * sums.count / (sums.count - 1);
+        const double both = measured + variance;
         factor = (measured * factor + variance * ratio) / both;
         variance *= measured / both;
       }
@@ -63,8 +64,8 @@ class VarianceFall {
     }
   }
 
-  // V(n/2) / V(n) for n = 2^level. Of two samples there is no measure: as at
-  // random.
+  // V(n/2) / V(n) for n = 2^level. Of two samples there is no measure: as of four, once there are
+  // such.
   double factor(int level) const { return factors_[static_cast<std::size_t>(level)]; }
   // The relative standard error of V(n) that comes from the factor's.
   double doubt(int level) const { return doubts_[static_cast<std::size_t>(level)]; }
@@ -75,8 +76,7 @@ class VarianceFall {
   static constexpr double kDrift = 0.05;  // of the factor's variance, from level to level
 
   struct Sums {
-    double weight = 0, weight_squares = 0, outer = 0, inner = 0, outer_squares = 0,
-           inner_squares = 0;
+    double outer = 0, inner = 0, outer_squares = 0, inner_squares = 0, products = 0, count = 0;
   };
   std::array<Sums, kSampleLevels> sums_{};
   std::array<double, kSampleLevels> factors_{}, doubts_{};

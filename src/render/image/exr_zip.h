@@ -1,5 +1,5 @@
-// render/image: the compression of EXR's ZIP and ZIPS. libdeflate makes the same streams as zlib,
-// in half the time.
+// render/image: the compression of EXR's ZIP and ZIPS. libdeflate makes streams of zlib's format in
+// half the time.
 #pragma once
 
 #include <cstdint>

@@ -12,29 +12,33 @@ constexpr int kUlps = 16;
 constexpr int kLift = 512;  // roundings
 
 template <class Real>
+constexpr Real kU = ScalarTraits<Real>::unit_roundoff();
+
+// How far apart faces of one plane may seem to be.
+template <class Real>
 Real tolerance(const FlatFace<Real>& a, const FlatFace<Real>& b) {
-  return Real(2 * kUlps) * ScalarTraits<Real>::unit_roundoff() * (a.extent + b.extent);
+  return Real(2 * kUlps) * kU<Real> * (a.extent + b.extent);
+}
+
+template <class Real>
+Real size_of(const FlatFace<Real>& face) {
+  return larger(largest_coordinate(face.corners[2] - face.corners[0]),
+                largest_coordinate(face.corners[3] - face.corners[1]));
 }
 
 // How far the plane of the face is from the origin, and to what.
 template <class Real>
 Real height_of(const FlatFace<Real>& face) {
-  return absolute(dot(face.normal, face.point));
-}
-
-template <class Real>
-Real size_of(const FlatFace<Real>& face) {
-  return largest_coordinate(face.max - face.min);
+  return absolute(dot(face.normal, face.corners[0]));
 }
 template <class Real>
 Real rounding_of_height(const FlatFace<Real>& face) {
   // A normal is as good as its corners beside its edges.
-  const Real angle = is_finite(size_of(face)) ? face.extent / size_of(face) : Real(0);
-  return Real(kUlps) * ScalarTraits<Real>::unit_roundoff() * face.extent * (Real(1) + angle);
+  const Real angle = face.endless ? Real(0) : face.extent / size_of(face);
+  return Real(kUlps) * kU<Real> * face.extent * (Real(1) + angle);
 }
 
-// A group of faces in the order of how far away their planes are: those of one plane are
-// neighbours.
+// Faces in the order of how far away their planes are: those of one plane are neighbours.
 template <class Real>
 class ByHeight {
  public:
@@ -66,50 +70,59 @@ class ByHeight {
   Real rounding_ = 0;
 };
 
+// The least and the greatest coordinate of a face along an axis.
+template <class Real>
+std::pair<Real, Real> range_along(const Vec3<Real>& axis, const FlatFace<Real>& face) {
+  Real low = infinity<Real>(), high = -low;
+  for (const Vec3<Real>& corner : face.corners) {
+    low = smaller(low, dot(axis, corner));
+    high = larger(high, dot(axis, corner));
+  }
+  return {low, high};
+}
+
+// Whether an edge of `a` is a line that parts the faces, both in one plane.
+template <class Real>
+bool is_parted_by_edge(const FlatFace<Real>& a, const FlatFace<Real>& b, Real rounding) {
+  for (const int k : {1, 3}) {
+    const Vec3<Real> edge = a.corners[k] - a.corners[0];
+    if (largest_coordinate(edge) == Real(0)) continue;
+    const Vec3<Real> across = normalized(cross(a.normal, edge / largest_coordinate(edge)));
+    const auto [low_a, high_a] = range_along(across, a);
+    const auto [low_b, high_b] = range_along(across, b);
+    if (smaller(high_a, high_b) - larger(low_a, low_b) <= rounding) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 template <class Real>
-FlatFace<Real> flat_face(ShapeId shape, Vec3<Real> normal, std::array<Vec3<Real>, 4> corners) {
-  FlatFace<Real> face{shape, normalized(normal), corners[0], corners[0], corners[0], Real(0)};
-  for (const Vec3<Real>& corner : corners) {
-    for (int axis = 0; axis < 3; ++axis) {
-      face.min[axis] = smaller(face.min[axis], corner[axis]);
-      face.max[axis] = larger(face.max[axis], corner[axis]);
-    }
+FlatFace<Real> flat_face(ShapeId shape, Vec3<Real> unit_normal,
+                         const std::array<Vec3<Real>, 4>& corners) {
+  FlatFace<Real> face{shape, unit_normal, corners, false, Real(0)};
+  for (const Vec3<Real>& corner : corners)
     face.extent = larger(face.extent, largest_coordinate(corner));
-  }
   return face;
 }
 
 template <class Real>
 FlatFace<Real> endless_face(ShapeId shape, Vec3<Real> unit_normal, Real offset) {
-  const Real end = infinity<Real>();
-  return {shape,
-          unit_normal,
-          offset * unit_normal,
-          Vec3<Real>{-end, -end, -end},
-          Vec3<Real>{end, end, end},
-          absolute(offset)};
+  const Vec3<Real> point = offset * unit_normal;
+  return {shape, unit_normal, {point, point, point, point}, true, absolute(offset)};
 }
 
 template <class Real>
 bool share_a_place(const FlatFace<Real>& a, const FlatFace<Real>& b) {
   const Real rounding = tolerance(a, b);
-  int wide = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Real overlap = smaller(a.max[axis], b.max[axis]) - larger(a.min[axis], b.min[axis]);
-    if (overlap < -rounding) return false;
-    wide += overlap > rounding ? 1 : 0;
-  }
-  // Neighbours in a floor of tiles have no more than an edge in common.
-  if (wide < 2) return false;
+  const bool a_is_larger = a.endless || (!b.endless && size_of(a) > size_of(b));
+  const FlatFace<Real>&large = a_is_larger ? a : b, &small = a_is_larger ? b : a;
   // The normal of the larger face is the better one.
-  const Real size_a = size_of(a), size_b = size_of(b);
-  const FlatFace<Real>& larger_face = size_a > size_b ? a : b;
-  if (absolute(dot(larger_face.normal, a.point - b.point)) > rounding) return false;
-  // All of the smaller one has to be in that plane.
-  const Real sine = length(cross(a.normal, b.normal));
-  return sine * smaller(size_a, size_b) <= Real(2) * rounding;
+  for (const Vec3<Real>& corner : small.corners) {
+    if (absolute(dot(large.normal, corner - large.corners[0])) > rounding) return false;
+  }
+  if (large.endless) return !small.endless;
+  return !is_parted_by_edge(a, b, rounding) && !is_parted_by_edge(b, a, rounding);
 }
 
 template <class Real>
@@ -119,44 +132,54 @@ std::vector<Laid<Real>> find_laid(const std::vector<FlatFace<Real>>& faces,
   for (const Sheet<Real>& sheet : sheets)
     flats.push_back(sheet.face);
   const ByHeight<Real> solids(faces), others(flats);
-  std::vector<Laid<Real>> laid;
-  std::vector<int> level(sheets.size(), 0);  // 0: lies on nothing
-  for (std::size_t s = 0; s < sheets.size(); ++s) {
+  std::vector<Vec3<Real>> shifts(sheets.size());
+  std::vector<Real> lift(sheets.size(), Real(0));  // 0: lies on nothing
+  const auto lay = [&](std::size_t s) {
     const FlatFace<Real>& face = flats[s];
+    const bool is_lamp = sheets[s].is_lamp;
     std::size_t ground = faces.size();
     solids.visit_near(face, [&](std::size_t f) {
       if (f < ground && share_a_place(face, faces[f])) ground = f;
     });
     const bool is_grounded = ground < faces.size();
-    int below = is_grounded ? 0 : -1;
+    if (!is_grounded && !is_lamp) return;
+    const Real own = Real(kLift) * kU<Real> * larger(face.extent, reach);
+    Real highest = is_grounded ? larger(own, Real(2) * tolerance(face, faces[ground])) : Real(0);
     others.visit_near(face, [&](std::size_t other) {
-      if (other == s || !share_a_place(face, flats[other])) return;
-      if (is_grounded ? other < s : sheets[s].is_lamp && !(sheets[other].is_lamp && s < other))
-        below = std::max(below, level[other]);
+      const bool is_below = is_lamp ? !sheets[other].is_lamp || other < s
+                                    : other < s && !sheets[other].is_lamp && lift[other] > Real(0);
+      if (!is_below || other == s || !share_a_place(face, flats[other])) return;
+      const Real step = larger(own, Real(2) * tolerance(face, flats[other]));
+      highest = larger(highest, lift[other] + step);
     });
-    if (below < 0) continue;
-    level[s] = below + 1;
-    const Vec3<Real> out =
-        is_grounded && !sheets[s].is_lamp ? faces[ground].normal : flats[s].normal;
-    const Real lift = Real(kLift) * ScalarTraits<Real>::unit_roundoff() *
-                      larger(face.extent, reach) * Real(level[s]);
-    laid.push_back({face.shape, lift * out});
+    lift[s] = highest;
+    shifts[s] = highest * (is_grounded && !is_lamp ? faces[ground].normal : face.normal);
+  };
+  // Lamps lie on all the others.
+  for (const bool lamps : {false, true}) {
+    for (std::size_t s = 0; s < sheets.size(); ++s) {
+      if (sheets[s].is_lamp == lamps) lay(s);
+    }
+  }
+  std::vector<Laid<Real>> laid;
+  for (std::size_t s = 0; s < sheets.size(); ++s) {
+    if (lift[s] > Real(0)) laid.push_back({flats[s].shape, shifts[s]});
   }
   return laid;
 }
 
-template FlatFace<float> flat_face(ShapeId, Vec3<float>, std::array<Vec3<float>, 4>);
+template FlatFace<float> flat_face(ShapeId, Vec3<float>, const std::array<Vec3<float>, 4>&);
 template FlatFace<float> endless_face(ShapeId, Vec3<float>, float);
 template bool share_a_place(const FlatFace<float>&, const FlatFace<float>&);
 template std::vector<Laid<float>> find_laid(const std::vector<FlatFace<float>>&,
                                             const std::vector<Sheet<float>>&, float);
-template FlatFace<double> flat_face(ShapeId, Vec3<double>, std::array<Vec3<double>, 4>);
+template FlatFace<double> flat_face(ShapeId, Vec3<double>, const std::array<Vec3<double>, 4>&);
 template FlatFace<double> endless_face(ShapeId, Vec3<double>, double);
 template bool share_a_place(const FlatFace<double>&, const FlatFace<double>&);
 template std::vector<Laid<double>> find_laid(const std::vector<FlatFace<double>>&,
                                              const std::vector<Sheet<double>>&, double);
 #if ALHAZEN_HAS_QUAD
-template FlatFace<Quad> flat_face(ShapeId, Vec3<Quad>, std::array<Vec3<Quad>, 4>);
+template FlatFace<Quad> flat_face(ShapeId, Vec3<Quad>, const std::array<Vec3<Quad>, 4>&);
 template FlatFace<Quad> endless_face(ShapeId, Vec3<Quad>, Quad);
 template bool share_a_place(const FlatFace<Quad>&, const FlatFace<Quad>&);
 template std::vector<Laid<Quad>> find_laid(const std::vector<FlatFace<Quad>>&,

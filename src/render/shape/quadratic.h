@@ -52,9 +52,9 @@ inline DoubleWord<Real> two_dot(Vec3<Real> a, Vec3<Real> b) {
 template <class Real>
 inline Real sharp_dot(Vec3<Real> a, Vec3<Real> b, MaskOf<Real> wanted = true) {
   const Real terms = absolute(a.x * b.x) + absolute(a.y * b.y) + absolute(a.z * b.z);
-  // A quarter of the usual loss: this error goes into t whole, not by its square root.
+  // Half the usual loss: this error goes into t whole, not by its square root.
   return resummed(
-      dot(a, b), 4 * terms, [&] { return two_dot(a, b); }, wanted);
+      dot(a, b), 2 * terms, [&] { return two_dot(a, b); }, wanted);
 }
 
 // a t^2 + 2 b t + c and its discriminant b^2 - a c. The others are 0 where the discriminant is

@@ -23,29 +23,30 @@ class ShapeTable<Real>::Flats {
   std::vector<FlatFace<Real>> faces;  // of solids
   std::vector<Sheet<Real>> sheets;
 
-  void add(ShapeId id, bool is_lamp) {
-    const auto kind = static_cast<Kind>(table_.entries_[id].kind);
-    if (kind != Kind::parallelogram && kind != Kind::disc) {
-      add_solid(id);
-    } else if (!table_.twins_.is_hidden(id)) {
-      add_sheet(id, is_lamp);
-    }
-  }
-
- private:
+  // If it is a quad or a disc. It is where it was written, also if it has been laid.
   void add_sheet(ShapeId id, bool is_lamp) {
     const Entry& entry = table_.entries_[id];
-    if (static_cast<Kind>(entry.kind) == Kind::parallelogram) {
+    const auto kind = static_cast<Kind>(entry.kind);
+    if (table_.twins_.is_hidden(id)) return;
+    if (kind == Kind::parallelogram) {
       const Parallelogram<Real>& quad = table_.kernels_.parallelograms[entry.index];
       const auto& c = quad.corners;
       const Vec3<Real> n = normal_of_edges(c[1] - c[0], c[3] - c[0], quad.reversed);
-      sheets.push_back({flat_face(id, n, c), is_lamp});
-    } else {
+      add(flat_face(id, n, c), is_lamp);
+    } else if (kind == Kind::disc) {
       const Disc<Real>& disc = table_.kernels_.discs[entry.index];
-      const auto corners = around(disc.frame, Real(0), disc.radius);
-      sheets.push_back({placed_face(id, disc.frame.z, corners), is_lamp});
+      add(placed_face(id, disc.frame.z, around(disc.frame, Real(0), disc.radius)), is_lamp);
     }
   }
+  void add(FlatFace<Real> face, bool is_lamp) {
+    const Vec3<Real> lift = table_.lift(face.shape);
+    for (Vec3<Real>& corner : face.corners) {
+      corner = corner - lift;
+      hull_.add(corner, face.extent * Vec3<Real>{kU, kU, kU});
+    }
+    sheets.push_back({face, is_lamp});
+  }
+  // The faces of a solid near the sheets, which have been added.
   void add_solid(ShapeId id) {
     const Entry& entry = table_.entries_[id];
     table_.kernels_.visit(
@@ -58,6 +59,9 @@ class ShapeTable<Real>::Flats {
                           },
                           [](const auto&) {}});
   }
+
+ private:
+  static constexpr Real kU = Real(64) * ScalarTraits<Real>::unit_roundoff();
 
   void add_sides(ShapeId id, const Box<Real>& box) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -72,13 +76,25 @@ class ShapeTable<Real>::Flats {
         }
         Vec3<Real> normal;
         normal[axis] = above ? Real(1) : Real(-1);
-        faces.push_back(placed_face(id, normal, corners));
+        add_near(placed_face(id, normal, corners));
       }
     }
   }
   void add_caps(ShapeId id, const Frustum<Real>& f) {
-    faces.push_back(placed_face(id, -f.frame.z, around(f.frame, Real(0), f.small_radius)));
-    faces.push_back(placed_face(id, f.frame.z, around(f.frame, f.height, f.large_radius)));
+    if (f.small_radius > Real(0)) {
+      add_near(placed_face(id, -f.frame.z, around(f.frame, Real(0), f.small_radius)));
+    }
+    add_near(placed_face(id, f.frame.z, around(f.frame, f.height, f.large_radius)));
+  }
+  // A city has more faces than lie anywhere near its rugs.
+  void add_near(const FlatFace<Real>& face) {
+    bounds::Hull<Real> own;
+    for (const Vec3<Real>& corner : face.corners)
+      own.add(corner, face.extent * Vec3<Real>{kU, kU, kU});
+    for (int axis = 0; axis < 3; ++axis) {
+      if (own.min[axis] > hull_.max[axis] || own.max[axis] < hull_.min[axis]) return;
+    }
+    faces.push_back(face);
   }
   FlatFace<Real> placed_face(ShapeId id, Vec3<Real> normal, std::array<Vec3<Real>, 4> corners) {
     const Entry& entry = table_.entries_[id];
@@ -91,15 +107,18 @@ class ShapeTable<Real>::Flats {
   }
 
   const ShapeTable& table_;
+  bounds::Hull<Real> hull_;  // of the sheets
 };
 
 template <class Real>
 void ShapeTable<Real>::lay_sheets(const ShapeList& shapes, Real reach) {
   if (kernels_.parallelograms.empty() && kernels_.discs.empty()) return;
   Flats flats(*this);
-  ShapeId id = 0;
+  ShapeId next = 0;
   for (const Shape& shape : shapes)
-    flats.add(id++, shape.light != kNoId);
+    flats.add_sheet(next++, shape.light != kNoId);
+  for (ShapeId id = 0; id < size(); ++id)
+    flats.add_solid(id);
   for (const Laid<Real>& laid : find_laid(flats.faces, flats.sheets, reach)) {
     // All layers of a stack stay one surface.
     ShapeId layer = twins_.first(laid.shape, true);
@@ -114,9 +133,12 @@ template <class Real>
 Vec3<Real> ShapeTable<Real>::lift_of_lamp(const std::array<Vec3<Real>, 4>& corners) const {
   Flats flats(*this);
   for (ShapeId id = 0; id < size(); ++id)
-    flats.add(id, false);
-  const Vec3<Real> normal = cross(corners[1] - corners[0], corners[3] - corners[0]);
-  flats.sheets.push_back({flat_face(size(), normal, corners), true});
+    flats.add_sheet(id, false);
+  const Vec3<Real> normal =
+      normal_of_edges(corners[1] - corners[0], corners[3] - corners[0], MaskOf<Real>(false));
+  flats.add(flat_face(size(), normal, corners), true);
+  for (ShapeId id = 0; id < size(); ++id)
+    flats.add_solid(id);
   const auto laid = find_laid(flats.faces, flats.sheets, Real(0));
   return !laid.empty() && laid.back().shape == size() ? laid.back().shift : Vec3<Real>();
 }

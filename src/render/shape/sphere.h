@@ -69,11 +69,15 @@ inline Quadratic<Real> sphere_equation(Vec3<Real> o, Vec3<Real> d, Real radius) 
   if (any(clear)) {
     equation.b = sharp_dot(o, d, clear);
     equation.c = sphere_power(o, radius, clear);
-    // Near the surface these are the smaller terms of the same number, as in two words.
+    // Near the surface b^2 and a c are the smaller terms of the same number, as in two words.
     const Real powers = a * equation.c;
-    const MaskOf<Real> near = fused_multiply_add(equation.b, equation.b, absolute(powers)) < reach;
-    equation.discriminant =
-        select(near, fused_multiply_add(equation.b, equation.b, -powers), equation.discriminant);
+    const MaskOf<Real> near =
+        clear && fused_multiply_add(equation.b, equation.b, absolute(powers)) < reach;
+    if (any(near)) {
+      equation.b = select(near, two_dot(o, d).hi, equation.b);
+      equation.discriminant =
+          select(near, fused_multiply_add(equation.b, equation.b, -powers), equation.discriminant);
+    }
   }
   return any(lost) ? select(lost, two_word_equation(o, d, radius), equation) : equation;
 }

@@ -130,17 +130,52 @@ TEST(Laid, ByMultiplesOfRoundings) {
   EXPECT_EQ(table.lift(2), (Vec3d{0, 2 * 512 * 0x1p-53, 0}));
 }
 
-// Tiles touch and do not lie on each other, however many there are.
+// A carpet is farther away than what lies on it, and what lies on it is above it all the same.
+TEST(Laid, OnLargerSheetsToo) {
+  const Shape floor = shape_of(alhazen::Box{{-50, 0, -50}, {50, 1, 50}});
+  const Shape carpet = shape_of(Quad4{{-20, 1, -20}, {0, 0, 40}, {40, 0, 0}});
+  expect_on_top<double>({floor, carpet, kRug, kMat}, 0.17, 3);
+  expect_on_top<double>({floor, carpet, kMat, kRug}, 0.29, 3);
+}
+
+TEST(Laid, LampsLieOnPanelsWhoeverIsFirst) {
+  const Shape lamp = lamp_of(Quad4{{0.2, 1, 0.2}, {0, 0, 0.6}, {0.6, 0, 0}});
+  const Shape panel = shape_of(Quad4{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}});
+  expect_on_top<double>({kBox, lamp, panel}, 0.29, 1);
+  expect_on_top<double>({lamp, panel, kBox}, 0.29, 0);
+}
+
+// As high as a lamp that is seen.
+TEST(Laid, LampsThatAreNoShapes) {
+  const Shape panel = shape_of(Quad4{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}});
+  const Vec3d u{0, 0, 0.6}, v{0.6, 0, 0}, corner{0.2, 1, 0.2};
+  const ShapeTable<double> seen({kBox, panel, lamp_of(Quad4{corner, u, v})}, {});
+  const ShapeTable<double> table({kBox, panel}, {});
+  const std::array<Vec3d, 4> corners{corner, corner + u, corner + u + v, corner + v};
+  EXPECT_EQ(table.lift_of_lamp(corners), seen.lift(2));
+  EXPECT_EQ(table.lift_of_lamp(corners), 2.0 * table.lift(1));
+  std::array<Vec3d, 4> below = corners;
+  for (Vec3d& c : below)
+    c.y -= 0.5;
+  EXPECT_EQ(table.lift_of_lamp(below), Vec3d());
+}
+
+// Tiles touch and do not lie on each other, however many there are and however they are turned.
 TEST(Laid, TilesAreAllOnOneLevel) {
-  std::vector<Shape> shapes = {shape_of(alhazen::Plane{{0, 1, 0}, 0})};
-  for (int i = 0; i < 30; ++i) {
-    for (int k = 0; k < 30; ++k)
-      shapes.push_back(shape_of(Quad4{{0.1 * i, 0, 0.1 * k}, {0, 0, 0.1}, {0.1, 0, 0}}));
-  }
-  const ShapeTable<double> table(shapes, {});
-  for (ShapeId id = 1; id < table.size(); ++id) {
-    EXPECT_GT(table.lift(id).y, 0);
-    EXPECT_LE(table.lift(id).y, 512 * 0x1p-53 * 3.1);
+  for (const double angle_deg : {0.0, 17.0, 45.0}) {
+    const Affined turn = rotation({0, 1, 0}, angle_deg);
+    std::vector<Shape> shapes = {shape_of(alhazen::Plane{{0, 1, 0}, 0})};
+    for (int i = 0; i < 30; ++i) {
+      for (int k = 0; k < 30; ++k) {
+        shapes.push_back(shape_of(Quad4{turn.point({0.1 * i, 0, 0.1 * k}), turn.vector({0, 0, 0.1}),
+                                        turn.vector({0.1, 0, 0})}));
+      }
+    }
+    const ShapeTable<double> table(shapes, {});
+    for (ShapeId id = 1; id < table.size(); ++id) {
+      EXPECT_GT(table.lift(id).y, 0);
+      EXPECT_LE(table.lift(id).y, 512 * 0x1p-53 * 4.3);  // the largest coordinate
+    }
   }
 }
 

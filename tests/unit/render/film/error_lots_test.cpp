@@ -66,5 +66,14 @@ TEST(ErrorLots, ExchangedPixelsTellWhatLotsAreTooFewFor) {
   EXPECT_EQ(missed(1000, 10), 80);  // the lots know
 }
 
+// Without lots there is nothing that speaks against what the exchanged pixels say.
+TEST(ErrorLots, WithoutLotsExchangedPixelsAreBelieved) {
+  ErrorLots lots;
+  for (int k = 0; k < 3; ++k)
+    lots.add_exchanged({0, 1, 1});
+  lots.evaluate(4, kNothing);
+  EXPECT_EQ(lots.missed_loss(), 3);
+}
+
 }  // namespace
 }  // namespace alhazen::render

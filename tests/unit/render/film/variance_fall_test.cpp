@@ -54,5 +54,28 @@ TEST(VarianceFall, FewPixelsAreBelievedLess) {
   EXPECT_GT(few.doubt(2), many.doubt(2));
 }
 
+// Those that were chosen count once and have large squares, those that stand for many have small
+// ones. All say the same, so there is no doubt about it.
+TEST(VarianceFall, IsOneForAllWhateverTheyCount) {
+  VarianceFall fall;
+  for (int p = 0; p < 20; ++p)
+    fall.add(2, 1, 4 + p, 2.5 * (4 + p));
+  for (int p = 0; p < 5; ++p)
+    fall.add(2, 8, 0.01, 0.025);
+  fall.settle();
+  EXPECT_NEAR(fall.factor(2), 2.5, 1e-12);
+  EXPECT_LT(fall.doubt(2), 1e-6);
+}
+
+// Two numbers of one pixel have no spread to judge them by.
+TEST(VarianceFall, OnePixelSaysNothing) {
+  VarianceFall fall, none;
+  fall.add(2, 1, 1, 2.7);
+  fall.settle();
+  none.settle();
+  EXPECT_EQ(fall.factor(2), 2);
+  EXPECT_EQ(fall.doubt(2), none.doubt(2));
+}
+
 }  // namespace
 }  // namespace alhazen::render

@@ -77,7 +77,8 @@ TEST(Target, SmoothScenesEndAtOnce) {
   EXPECT_EQ(output.accuracy->truncation, 0);
   EXPECT_EQ(output.picture.rgb, std::vector<double>(3 * 64 * 40, 0.25));
   // No ray is sent on, so no depth is tried out.
-  EXPECT_LE(static_cast<double>(output.statistics.rays()), 1.3 * 64 * 40);
+  // Each pixel once, and one in eight twice, by lot: 7 of 2560 pixels' standard deviations more.
+  EXPECT_LE(static_cast<double>(output.statistics.rays()), 1.2 * 64 * 40);
 }
 
 // 0.1 / (1 - r) is what never ends; the depth is such that r^d of it is small.
