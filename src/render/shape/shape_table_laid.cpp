@@ -40,10 +40,10 @@ class ShapeTable<Real>::Flats {
   }
   void add(FlatFace<Real> face, bool is_lamp) {
     const Vec3<Real> lift = table_.lift(face.shape);
-    for (Vec3<Real>& corner : face.corners) {
+    for (Vec3<Real>& corner : face.corners)
       corner = corner - lift;
-      hull_.add(corner, face.extent * Vec3<Real>{kU, kU, kU});
-    }
+    face = flat_face(face.shape, face.normal, face.corners);
+    add_to(hull_, face);
     sheets.push_back({face, is_lamp});
   }
   // The faces of a solid near the sheets, which have been added.
@@ -61,7 +61,9 @@ class ShapeTable<Real>::Flats {
   }
 
  private:
-  static constexpr Real kU = Real(64) * ScalarTraits<Real>::unit_roundoff();
+  // Twice what share_a_place allows.
+  static constexpr int kRoundings = 64;
+  static constexpr Real kMargin = Real(kRoundings) * ScalarTraits<Real>::unit_roundoff();
 
   void add_sides(ShapeId id, const Box<Real>& box) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -86,11 +88,15 @@ class ShapeTable<Real>::Flats {
     }
     add_near(placed_face(id, f.frame.z, around(f.frame, f.height, f.large_radius)));
   }
+  static void add_to(bounds::Hull<Real>& hull, const FlatFace<Real>& face) {
+    const Real margin = kMargin * face.extent;
+    for (const Vec3<Real>& corner : face.corners)
+      hull.add(corner, {margin, margin, margin});
+  }
   // A city has more faces than lie anywhere near its rugs.
   void add_near(const FlatFace<Real>& face) {
     bounds::Hull<Real> own;
-    for (const Vec3<Real>& corner : face.corners)
-      own.add(corner, face.extent * Vec3<Real>{kU, kU, kU});
+    add_to(own, face);
     for (int axis = 0; axis < 3; ++axis) {
       if (own.min[axis] > hull_.max[axis] || own.max[axis] < hull_.min[axis]) return;
     }
