@@ -46,7 +46,17 @@ class ShapeTable<Real>::Flats {
     add_to(hull_, face);
     sheets.push_back({face, is_lamp});
   }
-  // The faces of a solid near the sheets, which have been added.
+  // The faces of solids near the sheets, which have been added.
+  void add_solids() {
+    for (ShapeId id = 0; id < table_.size(); ++id)
+      add_solid(id);
+  }
+
+ private:
+  // Twice what share_a_place allows.
+  static constexpr int kRoundings = 64;
+  static constexpr Real kMargin = Real(kRoundings) * ScalarTraits<Real>::unit_roundoff();
+
   void add_solid(ShapeId id) {
     const Entry& entry = table_.entries_[id];
     table_.kernels_.visit(
@@ -59,11 +69,6 @@ class ShapeTable<Real>::Flats {
                           },
                           [](const auto&) {}});
   }
-
- private:
-  // Twice what share_a_place allows.
-  static constexpr int kRoundings = 64;
-  static constexpr Real kMargin = Real(kRoundings) * ScalarTraits<Real>::unit_roundoff();
 
   void add_sides(ShapeId id, const Box<Real>& box) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -123,8 +128,7 @@ void ShapeTable<Real>::lay_sheets(const ShapeList& shapes, Real reach) {
   ShapeId next = 0;
   for (const Shape& shape : shapes)
     flats.add_sheet(next++, shape.light != kNoId);
-  for (ShapeId id = 0; id < size(); ++id)
-    flats.add_solid(id);
+  flats.add_solids();
   for (const Laid<Real>& laid : find_laid(flats.faces, flats.sheets, reach)) {
     // All layers of a stack stay one surface.
     ShapeId layer = twins_.first(laid.shape, true);
@@ -143,8 +147,7 @@ Vec3<Real> ShapeTable<Real>::lift_of_lamp(const std::array<Vec3<Real>, 4>& corne
   const Vec3<Real> normal =
       normal_of_edges(corners[1] - corners[0], corners[3] - corners[0], MaskOf<Real>(false));
   flats.add(flat_face(size(), normal, corners), true);
-  for (ShapeId id = 0; id < size(); ++id)
-    flats.add_solid(id);
+  flats.add_solids();
   const auto laid = find_laid(flats.faces, flats.sheets, Real(0));
   return !laid.empty() && laid.back().shape == size() ? laid.back().shift : Vec3<Real>();
 }
