@@ -6,7 +6,7 @@
 
 namespace alhazen::parser {
 
-Value Evaluator::evaluate_range(const ast::Range& range, const ScopePtr& scope) {
+Value Evaluator::evaluate_range(const ast::Range& range, Scope& scope) {
   const Value first = evaluate(*range.first, scope), last = evaluate(*range.last, scope);
   const Value step = range.step ? evaluate(*range.step, scope) : Value(1.0);
   if (first.is_poison() || last.is_poison() || step.is_poison()) return Poison{};
@@ -43,7 +43,7 @@ Value Evaluator::evaluate_range(const ast::Range& range, const ScopePtr& scope) 
   return std::make_shared<const Interval>(out);
 }
 
-Value Evaluator::evaluate_member(const ast::Member& member, const ScopePtr& scope) {
+Value Evaluator::evaluate_member(const ast::Member& member, Scope& scope) {
   const Value object = evaluate(*member.object, scope);
   if (object.is_poison()) return Poison{};
   const std::string_view name = member.member.text;
@@ -71,7 +71,7 @@ Value Evaluator::evaluate_member(const ast::Member& member, const ScopePtr& scop
   return Poison{};
 }
 
-Value Evaluator::evaluate_index(const ast::Index& index, const ScopePtr& scope) {
+Value Evaluator::evaluate_index(const ast::Index& index, Scope& scope) {
   const Value object = evaluate(*index.object, scope), at = evaluate(*index.index, scope);
   if (object.is_poison() || at.is_poison()) return Poison{};
   const bool is_list = object.is(Type::list);

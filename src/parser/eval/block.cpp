@@ -12,7 +12,7 @@ namespace {
 
 // A block whose head is the name of a kind.
 Value make_new(Evaluator& evaluator, const ast::Expr& expr, const ast::Block& block,
-               const BlockSchema& schema, const ScopePtr& scope) {
+               const BlockSchema& schema, Scope& scope) {
   BlockBuilder builder(evaluator, schema, block.head->span);
   evaluator.fill(builder, block.body, scope);
   if (&schema == &group_schema()) {
@@ -32,16 +32,7 @@ Value make_new(Evaluator& evaluator, const ast::Expr& expr, const ast::Block& bl
   return node ? Value(object_of(std::move(*node))) : Value(Poison{});
 }
 
-const BlockSchema* kind_of(std::string_view name) {
-  if (name == "group") return &group_schema();
-  for (const auto kinds : {material_schemas(), highlight_schemas(), shape_schemas()}) {
-    if (const BlockSchema* kind = find_schema(kinds, name)) return kind;
-  }
-  return nullptr;
-}
-
-Value vary_material(Evaluator& evaluator, MaterialId id, const ast::Block& block,
-                    const ScopePtr& scope) {
+Value vary_material(Evaluator& evaluator, MaterialId id, const ast::Block& block, Scope& scope) {
   const Material base = evaluator.context().store().material(id);
   BlockBuilder builder(evaluator, schema_of(base), block.head->span);
   evaluator.fill(builder, block.body, scope);
@@ -51,8 +42,7 @@ Value vary_material(Evaluator& evaluator, MaterialId id, const ast::Block& block
   return varied ? Value(MaterialRef{*varied}) : Value(Poison{});
 }
 
-Value vary_texture(Evaluator& evaluator, TextureId id, const ast::Block& block,
-                   const ScopePtr& scope) {
+Value vary_texture(Evaluator& evaluator, TextureId id, const ast::Block& block, Scope& scope) {
   BlockBuilder builder(evaluator, schema_of(evaluator.context().store().texture(id)),
                        block.head->span);
   evaluator.fill(builder, block.body, scope);
@@ -64,7 +54,7 @@ Value vary_texture(Evaluator& evaluator, TextureId id, const ast::Block& block,
 
 // An object moved, named or given a material: the same group at another place.
 Value vary_object(Evaluator& evaluator, const Object& object, const ast::Expr& expr,
-                  const ast::Block& block, const ScopePtr& scope) {
+                  const ast::Block& block, Scope& scope) {
   BlockBuilder builder(evaluator, object_schema(), block.head->span);
   evaluator.fill(builder, block.body, scope);
   auto node = make_placed(evaluator, builder, object.group, expr.span);
@@ -73,7 +63,7 @@ Value vary_object(Evaluator& evaluator, const Object& object, const ast::Expr& e
 
 }  // namespace
 
-void Evaluator::fill(BlockBuilder& builder, const ast::Body& body, const ScopePtr& scope) {
+void Evaluator::fill(BlockBuilder& builder, const ast::Body& body, Scope& scope) {
   if (nesting_ >= context_.limits().nesting) {
     context_.halt<DiagnosticKind::nested_too_deep>(body.span, "evaluations",
                                                    context_.limits().nesting);
@@ -85,12 +75,11 @@ void Evaluator::fill(BlockBuilder& builder, const ast::Body& body, const ScopePt
   --nesting_;
 }
 
-Value Evaluator::evaluate_block(const ast::Expr& expr, const ast::Block& block,
-                                const ScopePtr& scope) {
+Value Evaluator::evaluate_block(const ast::Expr& expr, const ast::Block& block, Scope& scope) {
   if (const auto* name = std::get_if<ast::NameRef>(&block.head->node)) {
-    const BlockSchema* kind = kind_of(name->name);
-    if (kind != nullptr && scope->find(name->name) == nullptr) {
-      return make_new(*this, expr, block, *kind, scope);
+    const Word& word = words_[name->name];
+    if (word.kind != nullptr && scope.find(word) == nullptr) {
+      return make_new(*this, expr, block, *word.kind, scope);
     }
   }
   const Value head = evaluate(*block.head, scope);

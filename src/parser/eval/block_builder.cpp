@@ -32,12 +32,17 @@ std::vector<std::string_view> names_of(std::span<const BlockSchema* const> kinds
 
 }  // namespace
 
-void BlockBuilder::take(const ast::Property& item, SourceSpan span, const ScopePtr& scope) {
+bool BlockBuilder::is_defined(const ast::NameRef& name, const Scope& scope) {
+  return scope.find(evaluator_.word(name.name)) != nullptr;
+}
+
+void BlockBuilder::take(const ast::Property& item, SourceSpan span, Scope& scope) {
   if (!first_) first_ = span;
-  if (const PropertySpec* spec = properties_.schema().find(item.name.text)) {
+  Word& name = evaluator_.word(item.name.text);
+  if (const PropertySpec* spec = name.property_of(properties_.schema())) {
     take_property(*spec, item, span, scope);
-  } else if (properties_.schema().places && Evaluator::is_placement(item.name.text)) {
-    auto node = evaluator_.place(item, span, scope);
+  } else if (properties_.schema().places && name.placeable != Placeable::no) {
+    auto node = evaluator_.place(item, name, span, scope);
     if (!node) {
       broken_ = true;
       return;
@@ -49,14 +54,14 @@ void BlockBuilder::take(const ast::Property& item, SourceSpan span, const ScopeP
   }
 }
 
-void BlockBuilder::take(const ast::Placement& item, SourceSpan span, const ScopePtr& scope) {
+void BlockBuilder::take(const ast::Placement& item, SourceSpan span, Scope& scope) {
   if (!first_) first_ = span;
   const BlockSchema& schema = properties_.schema();
   const auto* block = std::get_if<ast::Block>(&item.object->node);
   const auto& call = std::get<ast::Call>((block != nullptr ? *block->head : *item.object).node);
   const auto* name = std::get_if<ast::NameRef>(&call.callee->node);
-  const bool is_property =
-      name != nullptr && scope->find(name->name) == nullptr && schema.find(name->name) != nullptr;
+  const bool is_property = name != nullptr && !is_defined(*name, scope) &&
+                           evaluator_.word(name->name).property_of(schema) != nullptr;
   if (is_property || !schema.places) {
     const SourceSpan at = call.callee->span;
     if (is_property) {
@@ -110,7 +115,7 @@ void BlockBuilder::push(Node node, SourceSpan span) {
 }
 
 void BlockBuilder::take_property(const PropertySpec& spec, const ast::Property& item,
-                                 SourceSpan span, const ScopePtr& scope) {
+                                 SourceSpan span, Scope& scope) {
   const Property* earlier = properties_.find(spec);
   if (earlier != nullptr && spec.presence != Presence::repeatable) {
     evaluator_.context()
@@ -130,7 +135,7 @@ void BlockBuilder::take_property(const PropertySpec& spec, const ast::Property& 
 }
 
 std::optional<Property> BlockBuilder::read(const PropertySpec& spec, const ast::Property& item,
-                                           SourceSpan span, const ScopePtr& scope) {
+                                           SourceSpan span, Scope& scope) {
   Context& context = evaluator_.context();
   if (const auto* body = std::get_if<ast::Body>(&item.value)) {
     if (!spec.blocks.empty() && !spec.kind_named) {
@@ -153,7 +158,7 @@ std::optional<Property> BlockBuilder::read(const PropertySpec& spec, const ast::
   if (const auto* name = std::get_if<ast::NameRef>(&expr.node)) {
     const bool is_word =
         std::find(spec.words.begin(), spec.words.end(), name->name) != spec.words.end();
-    const bool is_unknown_word = !spec.words.empty() && scope->find(name->name) == nullptr;
+    const bool is_unknown_word = !spec.words.empty() && !is_defined(*name, scope);
     if (is_word || is_unknown_word) {
       const Value word = context.make_text(std::string(name->name), expr.span);
       if (word.is_poison() || !check_property(context, spec, word, expr.span)) return std::nullopt;
@@ -164,8 +169,8 @@ std::optional<Property> BlockBuilder::read(const PropertySpec& spec, const ast::
     const auto* block = std::get_if<ast::Block>(&expr.node);
     const bool is_kind =
         block != nullptr && std::holds_alternative<ast::NameRef>(block->head->node);
-    const bool is_bare_kind = std::holds_alternative<ast::NameRef>(expr.node) &&
-                              scope->find(std::get<ast::NameRef>(expr.node).name) == nullptr;
+    const auto* bare = std::get_if<ast::NameRef>(&expr.node);
+    const bool is_bare_kind = bare != nullptr && !is_defined(*bare, scope);
     if (is_kind || is_bare_kind || spec.types == 0) return read_kind(spec, expr, scope);
   }
   const Value value = evaluator_.evaluate(expr, scope);
@@ -174,7 +179,7 @@ std::optional<Property> BlockBuilder::read(const PropertySpec& spec, const ast::
 }
 
 std::optional<Property> BlockBuilder::read_kind(const PropertySpec& spec, const ast::Expr& expr,
-                                                const ScopePtr& scope) {
+                                                Scope& scope) {
   Context& context = evaluator_.context();
   const auto* block = std::get_if<ast::Block>(&expr.node);
   const ast::Expr& head = block != nullptr ? *block->head : expr;
@@ -206,7 +211,7 @@ std::optional<Property> BlockBuilder::read_kind(const PropertySpec& spec, const 
 
 std::optional<Property> BlockBuilder::read_block(const PropertySpec& spec, const BlockSchema& kind,
                                                  SourceSpan head, SourceSpan span,
-                                                 const ast::Body& body, const ScopePtr& scope) {
+                                                 const ast::Body& body, Scope& scope) {
   BlockBuilder inner(evaluator_, kind, head);
   evaluator_.fill(inner, body, scope);
   auto properties = inner.finish();
@@ -215,7 +220,7 @@ std::optional<Property> BlockBuilder::read_block(const PropertySpec& spec, const
       &spec, Value(), std::make_shared<const Properties>(std::move(*properties)), {}, span};
 }
 
-void BlockBuilder::report_unknown(const ast::Name& name, const ScopePtr& scope) {
+void BlockBuilder::report_unknown(const ast::Name& name, Scope& scope) {
   const BlockSchema& schema = properties_.schema();
   Diagnostic& d = evaluator_.context().report<DiagnosticKind::unknown_property>(
       name.span, schema.name, name.text);
@@ -225,7 +230,7 @@ void BlockBuilder::report_unknown(const ast::Name& name, const ScopePtr& scope) 
     candidates.insert(candidates.end(), shapes.begin(), shapes.end());
     candidates.insert(candidates.end(), {"group", "object", "light"});
   }
-  const Binding* binding = scope->find(name.text);
+  const Binding* binding = scope.find(evaluator_.word(name.text));
   std::string habit;
   if (schema.places) habit = foreign_item_hint(name.text);
   if (habit.empty() && schema.find("material") != nullptr) habit = foreign_material_hint(name.text);

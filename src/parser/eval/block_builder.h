@@ -16,10 +16,10 @@ class BlockBuilder {
       : evaluator_(evaluator), properties_(schema, head) {}
 
   // One `name value` or `name { ... }` of the block: a property, or a thing to place.
-  void take(const ast::Property& item, SourceSpan span, const ScopePtr& scope);
+  void take(const ast::Property& item, SourceSpan span, Scope& scope);
 
   // `tower(3)`, `tower(3) { ... }`.
-  void take(const ast::Placement& item, SourceSpan span, const ScopePtr& scope);
+  void take(const ast::Placement& item, SourceSpan span, Scope& scope);
   // A thing placed in the block; reports at `span` when there are too many.
   void add(Node node, SourceSpan span);
 
@@ -35,15 +35,16 @@ class BlockBuilder {
  private:
   void push(Node node, SourceSpan span);
   void take_property(const PropertySpec& spec, const ast::Property& item, SourceSpan span,
-                     const ScopePtr& scope);
+                     Scope& scope);
   std::optional<Property> read(const PropertySpec& spec, const ast::Property& item, SourceSpan span,
-                               const ScopePtr& scope);
-  std::optional<Property> read_kind(const PropertySpec& spec, const ast::Expr& expr,
-                                    const ScopePtr& scope);
+                               Scope& scope);
+  std::optional<Property> read_kind(const PropertySpec& spec, const ast::Expr& expr, Scope& scope);
   std::optional<Property> read_block(const PropertySpec& spec, const BlockSchema& kind,
                                      SourceSpan head, SourceSpan span, const ast::Body& body,
-                                     const ScopePtr& scope);
-  void report_unknown(const ast::Name& name, const ScopePtr& scope);
+                                     Scope& scope);
+  // By the author; built-in names are not.
+  bool is_defined(const ast::NameRef& name, const Scope& scope);
+  void report_unknown(const ast::Name& name, Scope& scope);
 
   Evaluator& evaluator_;
   Properties properties_;

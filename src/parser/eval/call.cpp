@@ -9,8 +9,7 @@
 
 namespace alhazen::parser {
 
-Value Evaluator::evaluate_call(const ast::Expr& expr, const ast::Call& call,
-                               const ScopePtr& scope) {
+Value Evaluator::evaluate_call(const ast::Expr& expr, const ast::Call& call, Scope& scope) {
   const Value callee = evaluate(*call.callee, scope);
   if (callee.is(Type::builtin)) {
     return call_builtin(expr, call, *callee.as<const BuiltinFunction*>(), scope);
@@ -23,7 +22,7 @@ Value Evaluator::evaluate_call(const ast::Expr& expr, const ast::Call& call,
 }
 
 Value Evaluator::call_function(const ast::Expr& expr, const ast::Call& call,
-                               const Function& function, const ScopePtr& scope) {
+                               const Function& function, Scope& scope) {
   const ast::Function& definition = *function.definition;
   if (call_depth_ >= context_.limits().call_depth) {
     context_
@@ -89,13 +88,13 @@ Value Evaluator::call_function(const ast::Expr& expr, const ast::Call& call,
     }
   }
   if (failed) return Poison{};
-  const ScopeLease inside(scopes_, function.scope->shared_from_this());
+  const ScopeLease inside(scopes_, *function.scope);
   context_.enter_call(expr.span, definition.name.text);
   ++call_depth_;
   for (std::size_t i = 0; i < count; ++i) {
     const ast::Parameter& parameter = definition.parameters[i];
     if (given[i] == nullptr) values[i] = evaluate(*parameter.default_value, *inside);
-    inside->define(parameter.name.text, std::move(values[i]), parameter.name.span);
+    inside->define(words_[parameter.name.text], std::move(values[i]), parameter.name.span);
   }
   Value result;
   if (const auto* expression = std::get_if<ast::ExprPtr>(&definition.body)) {
@@ -110,7 +109,7 @@ Value Evaluator::call_function(const ast::Expr& expr, const ast::Call& call,
 
 // A body that returns has that value; one that does not has all that it placed, as a group.
 Value Evaluator::run_function_body(const ast::Expr& expr, const ast::Function& function,
-                                   const ast::Body& body, const ScopePtr& scope) {
+                                   const ast::Body& body, Scope& scope) {
   BlockBuilder builder(*this, group_schema(), expr.span);
   ReturnSlot slot;
   const ScopeLease inside(scopes_, scope);

@@ -29,7 +29,7 @@ Flow Evaluator::run_for(const ast::For& loop, const Body& body) {
     const ScopeLease scope(scopes_, body.scope);
     Value value = is_list ? sequence.elements()[static_cast<std::size_t>(k)]
                           : element_of(*sequence.as<IntervalPtr>(), k);
-    scope->define(loop.variable.text, std::move(value), loop.variable.span);
+    scope->define(words_[loop.variable.text], std::move(value), loop.variable.span);
     const ScopeLease inside(scopes_, *scope);
     if (run(loop.body.items, {*inside, body.target, body.result}) == Flow::returned) {
       return Flow::returned;

@@ -8,10 +8,4 @@ namespace alhazen::parser {
 Evaluator::Evaluator(Context& context, Evaluation& out)
     : context_(context), out_(out), root_(scopes_.take(nullptr)), text_hash_(fnv1a_64("")) {}
 
-Evaluator::~Evaluator() {
-  // A scope holds functions that hold the scope.
-  for (const ScopePtr& scope : captured_)
-    scope->clear();
-}
-
 }  // namespace alhazen::parser

@@ -11,6 +11,7 @@
 #include "parser/eval/context.h"
 #include "parser/eval/object.h"
 #include "parser/eval/scope.h"
+#include "parser/eval/vocabulary.h"
 
 namespace alhazen::parser {
 
@@ -28,7 +29,7 @@ struct ReturnSlot {
 
 // What the items of one body act on.
 struct Body {
-  const ScopePtr& scope;
+  Scope& scope;
   BlockBuilder& target;
   ReturnSlot* result;  // null outside of functions
 };
@@ -36,29 +37,28 @@ struct Body {
 class Evaluator {
  public:
   explicit Evaluator(Context& context, Evaluation& out);
-  ~Evaluator();
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
 
   Context& context() { return context_; }
 
   // expression.cpp. Poison is a value whose error has been reported.
-  Value evaluate(const ast::Expr& expr, const ScopePtr& scope);
+  Value evaluate(const ast::Expr& expr, Scope& scope);
 
   // statement.cpp
   Flow run(Items items, const Body& body);
 
   // place.cpp: the object that an expression is, as a node; reports what is not an object.
-  std::optional<Node> place_value(const ast::Expr& expr, SourceSpan span, const ScopePtr& scope);
+  std::optional<Node> place_value(const ast::Expr& expr, SourceSpan span, Scope& scope);
 
   // block.cpp: `head { ... }` as an expression.
-  Value evaluate_block(const ast::Expr& expr, const ast::Block& block, const ScopePtr& scope);
+  Value evaluate_block(const ast::Expr& expr, const ast::Block& block, Scope& scope);
   // A body that belongs to a block of a known kind; the builder has taken all its properties then.
-  void fill(BlockBuilder& builder, const ast::Body& body, const ScopePtr& scope);
+  void fill(BlockBuilder& builder, const ast::Body& body, Scope& scope);
 
   // place.cpp: `sphere { ... }`, `group { ... }`, `object ...` and `light ...` as items.
-  static bool is_placement(std::string_view name);
-  std::optional<Node> place(const ast::Property& item, SourceSpan span, const ScopePtr& scope);
+  std::optional<Node> place(const ast::Property& item, const Word& name, SourceSpan span,
+                            Scope& scope);
 
   // include.cpp: the main text, and those that it includes.
   bool run_file(FileId file, const std::filesystem::path& path, const Body& body);
@@ -69,7 +69,9 @@ class Evaluator {
   // Whether the scene is known only in part because a file of it is missing or broken.
   bool include_failed() const { return include_failed_; }
 
-  const ScopePtr& root_scope() const { return root_; }
+  Scope& root_scope() { return root_; }
+  // What a name in the text of the scene is.
+  Word& word(std::string_view name) { return words_[name]; }
   std::uint64_t text_hash() const { return text_hash_; }
 
  private:
@@ -79,25 +81,25 @@ class Evaluator {
   };
 
   // expression.cpp
-  Value evaluate_node(const ast::Expr& expr, const ScopePtr& scope);
-  Value evaluate_vector(const ast::VectorLiteral& vector, const ScopePtr& scope);
-  Value evaluate_list(const ast::Expr& expr, const ast::ListLiteral& list, const ScopePtr& scope);
-  Value evaluate_chain(const ast::Expr& expr, const ScopePtr& scope);
-  Value evaluate_range(const ast::Range& range, const ScopePtr& scope);
-  Value evaluate_member(const ast::Member& member, const ScopePtr& scope);
-  Value evaluate_index(const ast::Index& index, const ScopePtr& scope);
-  Value evaluate_name(const ast::Expr& expr, std::string_view name, const ScopePtr& scope);
+  Value evaluate_node(const ast::Expr& expr, Scope& scope);
+  Value evaluate_vector(const ast::VectorLiteral& vector, Scope& scope);
+  Value evaluate_list(const ast::Expr& expr, const ast::ListLiteral& list, Scope& scope);
+  Value evaluate_chain(const ast::Expr& expr, Scope& scope);
+  Value evaluate_range(const ast::Range& range, Scope& scope);
+  Value evaluate_member(const ast::Member& member, Scope& scope);
+  Value evaluate_index(const ast::Index& index, Scope& scope);
+  Value evaluate_name(const ast::Expr& expr, std::string_view name, Scope& scope);
   std::optional<bool> evaluate_condition(const ast::Expr& expr, std::string_view what,
-                                         const ScopePtr& scope);
+                                         Scope& scope);
 
   // call.cpp
-  Value evaluate_call(const ast::Expr& expr, const ast::Call& call, const ScopePtr& scope);
+  Value evaluate_call(const ast::Expr& expr, const ast::Call& call, Scope& scope);
   Value call_function(const ast::Expr& expr, const ast::Call& call, const Function& function,
-                      const ScopePtr& scope);
+                      Scope& scope);
   Value run_function_body(const ast::Expr& expr, const ast::Function& function,
-                          const ast::Body& body, const ScopePtr& scope);
+                          const ast::Body& body, Scope& scope);
   Value call_builtin(const ast::Expr& expr, const ast::Call& call, const BuiltinFunction& function,
-                     const ScopePtr& scope);
+                     Scope& scope);
 
   // statement.cpp, control.cpp, param.cpp, include.cpp
   Flow run_item(const ast::Item& item, const Body& body);
@@ -116,20 +118,18 @@ class Evaluator {
   bool define(const ast::Name& name, Value value, const Body& body);
 
   // place.cpp
-  std::optional<Node> place_object(const ast::Property& item, SourceSpan span,
-                                   const ScopePtr& scope);
-  std::optional<Node> place_light(const ast::Property& item, SourceSpan span,
-                                  const ScopePtr& scope);
+  std::optional<Node> place_object(const ast::Property& item, SourceSpan span, Scope& scope);
+  std::optional<Node> place_light(const ast::Property& item, SourceSpan span, Scope& scope);
 
   Context& context_;
   Evaluation& out_;
+  Vocabulary words_;
   ScopePool scopes_;
-  ScopePtr root_;                                                       // of the main text
+  Scope& root_;                                                         // of the main text
   std::unordered_map<std::string, std::unique_ptr<ParsedFile>> files_;  // by canonical path
   std::vector<ast::WholeExpr> define_values_;
   std::vector<std::string> include_stack_;
   std::vector<std::string_view> defines_used_;
-  std::vector<ScopePtr> captured_;  // scopes that functions see
   std::uint64_t text_hash_;
   std::uint64_t source_bytes_ = 0;
   bool include_failed_ = false;

@@ -12,7 +12,23 @@
 
 namespace alhazen::parser {
 
-Value Evaluator::evaluate(const ast::Expr& expr, const ScopePtr& scope) {
+namespace {
+
+// One level of evaluations within each other, for as long as it lives.
+class Deeper {
+ public:
+  explicit Deeper(int& depth) : depth_(depth) { ++depth_; }
+  ~Deeper() { --depth_; }
+  Deeper(const Deeper&) = delete;
+  Deeper& operator=(const Deeper&) = delete;
+
+ private:
+  int& depth_;
+};
+
+}  // namespace
+
+Value Evaluator::evaluate(const ast::Expr& expr, Scope& scope) {
   if (!context_.spend_fuel(1, expr.span)) return Poison{};
   // What a scene has most of; it was read as finite.
   if (const auto* number = std::get_if<ast::NumberLiteral>(&expr.node)) return number->value;
@@ -21,13 +37,11 @@ Value Evaluator::evaluate(const ast::Expr& expr, const ScopePtr& scope) {
                                                    context_.limits().nesting);
     return Poison{};
   }
-  ++nesting_;
-  Value value = evaluate_node(expr, scope);
-  --nesting_;
-  return value;
+  const Deeper deeper(nesting_);
+  return evaluate_node(expr, scope);
 }
 
-Value Evaluator::evaluate_node(const ast::Expr& expr, const ScopePtr& scope) {
+Value Evaluator::evaluate_node(const ast::Expr& expr, Scope& scope) {
   return std::visit(
       Overloaded{[&](const ast::NumberLiteral& n) -> Value { return n.value; },
                  [&](const ast::AngleLiteral& a) {
@@ -70,20 +84,18 @@ Value Evaluator::evaluate_node(const ast::Expr& expr, const ScopePtr& scope) {
 }
 
 // What the author defined comes first: built-in names may be taken.
-Value Evaluator::evaluate_name(const ast::Expr& expr, std::string_view name,
-                               const ScopePtr& scope) {
-  if (const Binding* binding = scope->find(name)) return binding->value;
-  if (const BuiltinConstant* constant = find_constant(name)) return constant->value;
-  if (const BuiltinFunction* function = find_builtin(name)) return function;
-  for (const auto kinds : {material_schemas(), highlight_schemas(), shape_schemas()}) {
-    if (const BlockSchema* kind = find_schema(kinds, name)) {
-      context_.report<DiagnosticKind::kind_needs_body>(expr.span, name)
-          .hint(fmt::format("for instance `{}`", kind->example));
-      return Poison{};
-    }
+Value Evaluator::evaluate_name(const ast::Expr& expr, std::string_view name, Scope& scope) {
+  const Word& word = words_[name];
+  if (const Binding* binding = scope.find(word)) return binding->value;
+  if (word.constant != nullptr) return word.constant->value;
+  if (word.function != nullptr) return word.function;
+  if (word.kind != nullptr && word.kind != &group_schema()) {
+    context_.report<DiagnosticKind::kind_needs_body>(expr.span, name)
+        .hint(fmt::format("for instance `{}`", word.kind->example));
+    return Poison{};
   }
   Diagnostic& d = context_.report<DiagnosticKind::unknown_name>(expr.span, name);
-  std::vector<std::string_view> candidates = scope->visible_names();
+  std::vector<std::string_view> candidates = scope.visible_names();
   for (const std::string_view builtin : builtin_names())
     candidates.push_back(builtin);
   for (const auto kinds : {material_schemas(), highlight_schemas(), shape_schemas()}) {
@@ -99,7 +111,7 @@ Value Evaluator::evaluate_name(const ast::Expr& expr, std::string_view name,
 }
 
 // `<0, 30deg, 0>` is a vector of angles: a plain 0 needs no unit.
-Value Evaluator::evaluate_vector(const ast::VectorLiteral& vector, const ScopePtr& scope) {
+Value Evaluator::evaluate_vector(const ast::VectorLiteral& vector, Scope& scope) {
   const std::size_t count = vector.components.size();
   std::array<double, 3> numbers{};
   std::array<bool, 3> is_angle{};
@@ -141,8 +153,7 @@ Value Evaluator::evaluate_vector(const ast::VectorLiteral& vector, const ScopePt
   return angle != nullptr ? Value(AngleVector{v}) : Value(v);
 }
 
-Value Evaluator::evaluate_list(const ast::Expr& expr, const ast::ListLiteral& list,
-                               const ScopePtr& scope) {
+Value Evaluator::evaluate_list(const ast::Expr& expr, const ast::ListLiteral& list, Scope& scope) {
   std::vector<Value> elements;
   elements.reserve(list.elements.size());
   for (const ast::ExprPtr& element : list.elements)
@@ -151,7 +162,7 @@ Value Evaluator::evaluate_list(const ast::Expr& expr, const ast::ListLiteral& li
 }
 
 // a + b + c + ... is deep to the left; a loop takes it without stack.
-Value Evaluator::evaluate_chain(const ast::Expr& expr, const ScopePtr& scope) {
+Value Evaluator::evaluate_chain(const ast::Expr& expr, Scope& scope) {
   SmallVector<const ast::Binary*, 8> chain;
   const ast::Expr* leftmost = &expr;
   while (const auto* binary = std::get_if<ast::Binary>(&leftmost->node)) {
@@ -184,7 +195,7 @@ Value Evaluator::evaluate_chain(const ast::Expr& expr, const ScopePtr& scope) {
 }
 
 std::optional<bool> Evaluator::evaluate_condition(const ast::Expr& expr, std::string_view what,
-                                                  const ScopePtr& scope) {
+                                                  Scope& scope) {
   const Value value = evaluate(expr, scope);
   if (value.is(Type::boolean)) return value.as<bool>();
   if (!value.is_poison()) {

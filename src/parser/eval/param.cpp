@@ -60,7 +60,8 @@ std::optional<Value> Evaluator::override_for(const ast::Param& param, const Valu
   }
   // Only what is built in is visible: the value does not depend on where the parameter stands.
   define_values_.push_back(std::move(expr));
-  const Value value = evaluate(*define_values_.back().root, std::make_shared<Scope>(nullptr));
+  Scope nothing(nullptr);
+  const Value value = evaluate(*define_values_.back().root, nothing);
   if (value.is_poison()) return std::nullopt;
   if (value.type() != default_value.type()) {
     context_
@@ -74,7 +75,7 @@ std::optional<Value> Evaluator::override_for(const ast::Param& param, const Valu
 }
 
 void Evaluator::run_param(const ast::Param& param, const Body& body) {
-  if (body.scope != root_) {
+  if (&body.scope != &root_) {
     context_.report<DiagnosticKind::param_not_at_top>(param.name.span, param.name.text);
     return;
   }

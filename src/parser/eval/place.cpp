@@ -27,11 +27,6 @@ std::shared_ptr<const Group> bare_group(const Node& node) {
   return group != nullptr && adds_nothing ? *group : nullptr;
 }
 
-bool Evaluator::is_placement(std::string_view name) {
-  return name == "group" || name == "object" || name == "light" ||
-         find_schema(shape_schemas(), name) != nullptr;
-}
-
 std::optional<Node> make_shape(Evaluator& evaluator, const Properties& properties,
                                SourceSpan span) {
   const auto geometry = lower_shape(evaluator.context(), properties);
@@ -68,13 +63,12 @@ Object object_of(Node node) {
   return Object{std::move(group)};
 }
 
-std::optional<Node> Evaluator::place(const ast::Property& item, SourceSpan span,
-                                     const ScopePtr& scope) {
-  if (item.name.text == "object") return place_object(item, span, scope);
-  if (item.name.text == "light") return place_light(item, span, scope);
-  const bool is_group = item.name.text == "group";
-  const BlockSchema& schema =
-      is_group ? group_schema() : *find_schema(shape_schemas(), item.name.text);
+std::optional<Node> Evaluator::place(const ast::Property& item, const Word& name, SourceSpan span,
+                                     Scope& scope) {
+  if (name.placeable == Placeable::object) return place_object(item, span, scope);
+  if (name.placeable == Placeable::light) return place_light(item, span, scope);
+  const bool is_group = name.placeable == Placeable::group;
+  const BlockSchema& schema = is_group ? group_schema() : *name.shape;
   const auto* body = std::get_if<ast::Body>(&item.value);
   if (body == nullptr) {
     context_
@@ -92,7 +86,7 @@ std::optional<Node> Evaluator::place(const ast::Property& item, SourceSpan span,
 }
 
 std::optional<Node> Evaluator::place_object(const ast::Property& item, SourceSpan span,
-                                            const ScopePtr& scope) {
+                                            Scope& scope) {
   if (!std::holds_alternative<ast::ExprPtr>(item.value)) {
     context_.report<DiagnosticKind::object_needs_value>(item.name.span)
         .hint("several things as one are a `group { ... }`");
@@ -101,8 +95,7 @@ std::optional<Node> Evaluator::place_object(const ast::Property& item, SourceSpa
   return place_value(*std::get<ast::ExprPtr>(item.value), span, scope);
 }
 
-std::optional<Node> Evaluator::place_value(const ast::Expr& expr, SourceSpan span,
-                                           const ScopePtr& scope) {
+std::optional<Node> Evaluator::place_value(const ast::Expr& expr, SourceSpan span, Scope& scope) {
   const Value value = evaluate(expr, scope);
   if (value.is_poison()) return std::nullopt;
   if (!value.is(Type::object)) {
@@ -115,7 +108,7 @@ std::optional<Node> Evaluator::place_value(const ast::Expr& expr, SourceSpan spa
 }
 
 std::optional<Node> Evaluator::place_light(const ast::Property& item, SourceSpan span,
-                                           const ScopePtr& scope) {
+                                           Scope& scope) {
   // Read as a property that takes the kinds of lights.
   static const PropertySpec kLight = {
       .name = "light", .blocks = light_schemas(), .doc = "a light of some kind"};

@@ -1,95 +1,95 @@
 // parser/eval: names and what they stand for, one scope for each body, call and turn of a loop.
 #pragma once
 
-#include <memory>
+#include <deque>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "parser/eval/value.h"
+#include "parser/eval/vocabulary.h"
 
 namespace alhazen::parser {
 
 struct Binding {
-  std::string_view name;  // of the tree, which outlives every scope
+  const Word* name;
   Value value;
   SourceSpan span;  // of the name where it was defined
 };
 
-class Scope : public std::enable_shared_from_this<Scope> {
+class Scope {
  public:
-  explicit Scope(std::shared_ptr<Scope> parent) : parent_(std::move(parent)) {}
+  explicit Scope(Scope* parent) : parent_(parent) {}
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
 
   // Precondition: the name is not defined in this scope.
-  void define(std::string_view name, Value value, SourceSpan span);
-  const Binding* find_here(std::string_view name) const;
+  void define(Word& name, Value value, SourceSpan span);
+  const Binding* find_here(const Word& name) const;
   // In this scope or the nearest around it that has it.
-  const Binding* find(std::string_view name) const;
+  const Binding* find(const Word& name) const {
+    if (!name.defined) return nullptr;
+    for (const Scope* scope = this; scope != nullptr; scope = scope->parent_) {
+      if (const Binding* binding = scope->find_here(name)) return binding;
+    }
+    return nullptr;
+  }
   // Every visible name, nearest first, for suggestions.
   std::vector<std::string_view> visible_names() const;
 
   // As if new, inside of `parent`; keeps the memory of its bindings.
-  void begin_again(std::shared_ptr<Scope> parent) {
-    clear();
-    parent_ = std::move(parent);
-  }
+  void begin_again(Scope* parent);
 
+  // A function sees this scope and those around it: they stay what they are.
+  void capture();
   bool captured() const { return captured_; }
-  void mark_captured() { captured_ = true; }
-  // Functions hold the scopes that hold them; the evaluator cuts these circles at its end.
-  void clear() {
-    index_.clear();
-    bindings_.clear();
-  }
 
  private:
   // Few names are found faster one by one, and most scopes live for one turn of a loop.
   static constexpr std::size_t kMostSearched = 16;
 
-  std::shared_ptr<Scope> parent_;
+  Scope* parent_;
   std::vector<Binding> bindings_;
-  std::unordered_map<std::string_view, std::size_t> index_;  // of all, once they are more
+  std::unordered_map<const Word*, std::size_t> index_;  // of all, once they are more
   bool captured_ = false;
 };
 
-using ScopePtr = std::shared_ptr<Scope>;
-
-// Most scopes live for one turn of a loop or one block. Those that nothing has kept are used again.
+// All scopes of an evaluation. Most live for one turn of a loop or one block: those that no
+// function sees are used again.
 class ScopePool {
  public:
-  ScopePtr take(ScopePtr parent) {
-    if (spare_.empty()) return std::make_shared<Scope>(std::move(parent));
-    ScopePtr scope = std::move(spare_.back());
+  Scope& take(Scope* parent) {
+    if (spare_.empty()) return all_.emplace_back(parent);
+    Scope& scope = *spare_.back();
     spare_.pop_back();
-    scope->begin_again(std::move(parent));
+    scope.begin_again(parent);
     return scope;
   }
-  // A scope that a function sees stays what it is.
-  void give_back(ScopePtr scope) {
-    if (scope.use_count() > 1 || scope->captured()) return;
-    scope->begin_again(nullptr);
-    spare_.push_back(std::move(scope));
+  void give_back(Scope& scope) {
+    if (scope.captured()) return;
+    scope.begin_again(nullptr);
+    spare_.push_back(&scope);
   }
 
  private:
-  std::vector<ScopePtr> spare_;
+  std::deque<Scope> all_;
+  std::vector<Scope*> spare_;
 };
 
 // A new scope for as long as the lease lives.
 class ScopeLease {
  public:
-  ScopeLease(ScopePool& pool, ScopePtr parent)
-      : pool_(pool), scope_(pool.take(std::move(parent))) {}
-  ~ScopeLease() { pool_.give_back(std::move(scope_)); }
+  ScopeLease(ScopePool& pool, Scope& parent) : pool_(pool), scope_(pool.take(&parent)) {}
+  ~ScopeLease() { pool_.give_back(scope_); }
   ScopeLease(const ScopeLease&) = delete;
   ScopeLease& operator=(const ScopeLease&) = delete;
 
-  const ScopePtr& operator*() const { return scope_; }
-  Scope* operator->() const { return scope_.get(); }
+  Scope& operator*() const { return scope_; }
+  Scope* operator->() const { return &scope_; }
 
  private:
   ScopePool& pool_;
-  ScopePtr scope_;
+  Scope& scope_;
 };
 
 }  // namespace alhazen::parser

@@ -41,13 +41,14 @@ Flow Evaluator::run_item(const ast::Item& item, const Body& body) {
 }
 
 bool Evaluator::define(const ast::Name& name, Value value, const Body& body) {
-  if (const Binding* earlier = body.scope->find_here(name.text)) {
+  Word& word = words_[name.text];
+  if (const Binding* earlier = body.scope.find_here(word)) {
     context_.report<DiagnosticKind::already_defined>(name.span, name.text)
         .label(earlier->span, "first defined here")
         .hint("names cannot change; choose another");
     return false;
   }
-  body.scope->define(name.text, std::move(value), name.span);
+  body.scope.define(word, std::move(value), name.span);
   return true;
 }
 
@@ -70,11 +71,8 @@ void Evaluator::run_function(const ast::Function& function, const Body& body) {
       return;
     }
   }
-  if (!body.scope->captured()) {
-    body.scope->mark_captured();
-    captured_.push_back(body.scope);
-  }
-  define(function.name, Function{&function, body.scope.get()}, body);
+  body.scope.capture();
+  define(function.name, Function{&function, &body.scope}, body);
 }
 
 void Evaluator::run_assert(const ast::Assert& assertion, const Body& body) {
