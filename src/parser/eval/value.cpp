@@ -41,25 +41,23 @@ class Printer {
 
   void print(const Value& value, bool quoted) {
     if (out_.size() > max_length_) return;
-    std::visit(
-        Overloaded{
-            [&](Poison) { out_ += "<error>"; }, [&](double n) { out_ += number_text(n); },
-            [&](Angle a) { out_ += number_text(a.deg) + "deg"; },
-            [&](bool b) { out_ += b ? "true" : "false"; },
-            [&](const Text& t) { out_ += quoted ? quote(*t.bytes) : *t.bytes; },
-            [&](Vec2d v) { out_ += fmt::format("<{}, {}>", number_text(v.x), number_text(v.y)); },
-            [&](Vec3d v) { triple("<", v.x, v.y, v.z, "", ">"); },
-            [&](AngleVector v) { triple("<", v.deg.x, v.deg.y, v.deg.z, "deg", ">"); },
-            [&](Rgbd c) { triple("rgb(", c.r, c.g, c.b, "", ")"); },
-            [&](const ListPtr& list) { print(list->elements); },
-            [&](const IntervalPtr& range) { print(*range); },
-            [&](const Function&) { out_ += "<function>"; },
-            [&](const BuiltinFunction* f) { out_ += fmt::format("<function {}>", f->name); },
-            [&](TextureRef) { out_ += "<texture>"; },
-            [&](const HighlightPtr&) { out_ += "<highlight>"; },
-            [&](MaterialRef) { out_ += "<material>"; }, [&](const Object&) { out_ += "<object>"; },
-            [&](const TransformPtr&) { out_ += "<transform>"; }},
-        value.storage);
+    value.storage.visit(Overloaded{
+        [&](Poison) { out_ += "<error>"; }, [&](double n) { out_ += number_text(n); },
+        [&](Angle a) { out_ += number_text(a.deg) + "deg"; },
+        [&](bool b) { out_ += b ? "true" : "false"; },
+        [&](const Text& t) { out_ += quoted ? quote(*t.bytes) : *t.bytes; },
+        [&](Vec2d v) { out_ += fmt::format("<{}, {}>", number_text(v.x), number_text(v.y)); },
+        [&](Vec3d v) { triple("<", v.x, v.y, v.z, "", ">"); },
+        [&](AngleVector v) { triple("<", v.deg.x, v.deg.y, v.deg.z, "deg", ">"); },
+        [&](Rgbd c) { triple("rgb(", c.r, c.g, c.b, "", ")"); },
+        [&](const ListPtr& list) { print(list->elements); },
+        [&](const IntervalPtr& range) { print(*range); },
+        [&](const Function&) { out_ += "<function>"; },
+        [&](const BuiltinFunction* f) { out_ += fmt::format("<function {}>", f->name); },
+        [&](TextureRef) { out_ += "<texture>"; },
+        [&](const HighlightPtr&) { out_ += "<highlight>"; },
+        [&](MaterialRef) { out_ += "<material>"; }, [&](const Object&) { out_ += "<object>"; },
+        [&](const TransformPtr&) { out_ += "<transform>"; }});
   }
 
   std::string take() {
@@ -170,7 +168,7 @@ std::string to_text(const Value& value, std::size_t max_length) {
 
 bool equal(const Value& a, const Value& b) {
   if (a.type() != b.type()) return false;
-  return std::visit(
+  return a.storage.visit(
       Overloaded{[](Poison) { return true; }, [&](double n) { return n == b.number(); },
                  [&](Angle x) { return x.deg == b.as<Angle>().deg; },
                  [&](bool x) { return x == b.as<bool>(); },
@@ -203,8 +201,7 @@ bool equal(const Value& a, const Value& b) {
                  },
                  [&](MaterialRef m) { return m.id == b.as<MaterialRef>().id; },
                  [&](const Object& o) { return o.group == b.as<Object>().group; },
-                 [&](const TransformPtr& t) { return *t.matrix == *b.as<TransformPtr>().matrix; }},
-      a.storage);
+                 [&](const TransformPtr& t) { return *t.matrix == *b.as<TransformPtr>().matrix; }});
 }
 
 bool is_finite(const Value& value) {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "core/base/cheap_variant.h"
 #include "core/math/transform.h"
 #include "core/math/vec.h"
 #include "core/scene/material.h"
@@ -112,22 +112,21 @@ constexpr TypeSet set_of(Type first, Types... rest) {
 inline constexpr TypeSet kAnyType = ~TypeSet{0};
 
 struct Value {
-  using Storage = std::variant<Poison, double, Angle, bool, Text, Vec2d, Vec3d, AngleVector, Rgbd,
+  using Storage = CheapVariant<Poison, double, Angle, bool, Text, Vec2d, Vec3d, AngleVector, Rgbd,
                                ListPtr, IntervalPtr, Function, const BuiltinFunction*, TextureRef,
                                HighlightPtr, MaterialRef, Object, TransformPtr>;
   Storage storage;
 
   Value() = default;
-  Value(Storage s) : storage(std::move(s)) {}
   template <class T>
-  requires std::is_constructible_v<Storage, T> Value(T v) : storage(std::move(v)) {}
+  requires Storage::has<T> Value(T v) : storage(std::move(v)) {}
 
   Type type() const { return static_cast<Type>(storage.index()); }
   bool is(Type t) const { return type() == t; }
   bool is_poison() const { return is(Type::poison); }
   template <class T>
   const T& as() const {
-    return std::get<T>(storage);
+    return storage.get<T>();
   }
   double number() const { return as<double>(); }
   const std::string& text() const { return *as<Text>().bytes; }
