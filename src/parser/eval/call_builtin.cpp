@@ -1,4 +1,5 @@
 // parser/eval: calls of built-in functions: arguments against the function's table.
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "parser/eval/evaluator.h"
@@ -14,6 +15,16 @@ std::size_t required_count(const BuiltinFunction& function) {
     count += parameter.optional ? 0 : 1;
   // The parameter that may be repeated may also be left out if it follows others.
   return count;
+}
+
+// Whether every argument is for the parameter at its own place, and no required one is missing: so
+// are most calls.
+bool is_in_order(const ast::Call& call, const BuiltinFunction& function) {
+  const std::size_t count = call.arguments.size();
+  if (count < required_count(function)) return false;
+  if (count > function.parameters.size() && !function.variadic) return false;
+  return std::none_of(call.arguments.begin(), call.arguments.end(),
+                      [](const ast::Argument& argument) { return argument.name.has_value(); });
 }
 
 using Slots = SmallVector<const ast::Argument*, 6>;
@@ -70,35 +81,48 @@ std::optional<Slots> match(Context& context, const ast::Call& call,
   return slots;
 }
 
+// False, after a report unless the value is poison, where it does not suit the parameter.
+bool check_argument(Context& context, const BuiltinFunction& function,
+                    const BuiltinParameter& parameter, const ast::Argument& argument,
+                    const Value& value) {
+  if (value.is_poison()) return false;
+  if ((parameter.types & set_of(value.type())) != 0) return true;
+  Diagnostic& d = context.report<DiagnosticKind::argument_type>(
+      argument.value->span, function.name, describe(parameter.types), a_type_name(value.type()));
+  const std::string hint = conversion_hint(parameter.types, value);
+  if (!hint.empty()) d.hint(hint);
+  return false;
+}
+
 }  // namespace
 
 Value Evaluator::call_builtin(const ast::Expr& expr, const ast::Call& call,
-                              const BuiltinFunction& function, const ScopePtr& scope) {
-  const auto slots = match(context_, call, function);
-  if (!slots) return Poison{};
+                              const BuiltinFunction& function, Scope& scope) {
   BuiltinCall checked{context_, expr.span, {}, {}, function.name};
   bool poisoned = false;
-  for (std::size_t i = 0; i < slots->size(); ++i) {
-    const ast::Argument* argument = (*slots)[i];
-    if (argument == nullptr) {
-      checked.values.push_back(Value());
-      checked.spans.push_back(expr.span);
-      continue;
+  const auto take = [&](const ast::Argument& argument) {
+    Value value = evaluate(*argument.value, scope);
+    const std::size_t i = std::min(checked.values.size(), function.parameters.size() - 1);
+    if (!check_argument(context_, function, function.parameters[i], argument, value)) {
+      poisoned = true;
     }
-    Value value = evaluate(*argument->value, scope);
-    const BuiltinParameter& parameter =
-        function.parameters[std::min(i, function.parameters.size() - 1)];
-    if (!value.is_poison() && (parameter.types & set_of(value.type())) == 0) {
-      Diagnostic& d = context_.report<DiagnosticKind::argument_type>(
-          argument->value->span, function.name, describe(parameter.types),
-          a_type_name(value.type()));
-      const std::string hint = conversion_hint(parameter.types, value);
-      if (!hint.empty()) d.hint(hint);
-      value = Poison{};
-    }
-    poisoned = poisoned || value.is_poison();
     checked.values.push_back(std::move(value));
-    checked.spans.push_back(argument->value->span);
+    checked.spans.push_back(argument.value->span);
+  };
+  const auto leave_out = [&] {
+    checked.values.push_back(Value());
+    checked.spans.push_back(expr.span);
+  };
+  if (is_in_order(call, function)) {
+    for (const ast::Argument& argument : call.arguments)
+      take(argument);
+    while (checked.values.size() < function.parameters.size())
+      leave_out();
+  } else {
+    const auto slots = match(context_, call, function);
+    if (!slots) return Poison{};
+    for (const ast::Argument* argument : *slots)
+      argument != nullptr ? take(*argument) : leave_out();
   }
   if (poisoned || context_.halted()) return Poison{};
   Value result = function.apply(checked);
