@@ -19,7 +19,7 @@ Value make_new(Evaluator& evaluator, const ast::Expr& expr, const ast::Block& bl
     auto node = make_group(evaluator, builder, expr.span);
     return node ? Value(object_of(std::move(*node))) : Value(Poison{});
   }
-  const auto properties = builder.finish();
+  const Properties* properties = builder.finish();
   if (!properties) return Poison{};
   if (find_schema(material_schemas(), schema.name) == &schema) {
     const auto id = lower_material(evaluator.context(), *properties, nullptr);
@@ -36,7 +36,7 @@ Value vary_material(Evaluator& evaluator, MaterialId id, const ast::Block& block
   const Material base = evaluator.context().store().material(id);
   BlockBuilder builder(evaluator, schema_of(base), block.head->span);
   evaluator.fill(builder, block.body, scope);
-  const auto properties = builder.finish();
+  const Properties* properties = builder.finish();
   if (!properties) return Poison{};
   const auto varied = lower_material(evaluator.context(), *properties, &base);
   return varied ? Value(MaterialRef{*varied}) : Value(Poison{});
@@ -46,7 +46,7 @@ Value vary_texture(Evaluator& evaluator, TextureId id, const ast::Block& block, 
   BlockBuilder builder(evaluator, schema_of(evaluator.context().store().texture(id)),
                        block.head->span);
   evaluator.fill(builder, block.body, scope);
-  const auto properties = builder.finish();
+  const Properties* properties = builder.finish();
   if (!properties) return Poison{};
   const auto varied = lower_texture(evaluator.context(), *properties, id);
   return varied ? Value(TextureRef{*varied}) : Value(Poison{});

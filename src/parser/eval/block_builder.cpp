@@ -83,7 +83,7 @@ void BlockBuilder::take(const ast::Placement& item, SourceSpan span, Scope& scop
   }
 }
 
-void BlockBuilder::add(Node node, SourceSpan span) {
+void BlockBuilder::add(Node&& node, SourceSpan span) {
   if (const auto inner = bare_group(node); inner && inner->children.size() <= kMostSpliced) {
     inner->children.for_each([&](const auto& content, const Placing& placing, MaterialId material) {
       push(Node{content, placing, material}, span);
@@ -94,7 +94,7 @@ void BlockBuilder::add(Node node, SourceSpan span) {
   }
 }
 
-void BlockBuilder::push(Node node, SourceSpan span) {
+void BlockBuilder::push(Node&& node, SourceSpan span) {
   if (const auto* inner = std::get_if<std::shared_ptr<const Group>>(&node.content)) {
     // A large group is kept once, however often it is placed here.
     const bool is_known =
@@ -214,7 +214,7 @@ std::optional<Property> BlockBuilder::read_block(const PropertySpec& spec, const
                                                  const ast::Body& body, Scope& scope) {
   BlockBuilder inner(evaluator_, kind, head);
   evaluator_.fill(inner, body, scope);
-  auto properties = inner.finish();
+  Properties* properties = inner.finish();
   if (!properties) return std::nullopt;
   return Property{
       &spec, Value(), std::make_shared<const Properties>(std::move(*properties)), {}, span};
@@ -250,8 +250,8 @@ void BlockBuilder::report_unknown(const ast::Name& name, Scope& scope) {
   }
 }
 
-std::optional<Properties> BlockBuilder::finish() {
-  if (evaluator_.context().halted()) return std::nullopt;
+Properties* BlockBuilder::finish() {
+  if (evaluator_.context().halted()) return nullptr;
   for (const auto& table : properties_.schema().tables) {
     for (const PropertySpec& spec : table) {
       if (spec.presence != Presence::required || properties_.find(spec) != nullptr) continue;
@@ -270,8 +270,7 @@ std::optional<Properties> BlockBuilder::finish() {
       broken_ = true;
     }
   }
-  if (broken_) return std::nullopt;
-  return std::move(properties_);
+  return broken_ ? nullptr : &properties_;
 }
 
 std::shared_ptr<const Group> BlockBuilder::finish_group() {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <unordered_set>
+#include <set>
 #include <vector>
 
 #include "parser/eval/evaluator.h"
@@ -21,19 +21,19 @@ class BlockBuilder {
   // `tower(3)`, `tower(3) { ... }`.
   void take(const ast::Placement& item, SourceSpan span, Scope& scope);
   // A thing placed in the block; reports at `span` when there are too many.
-  void add(Node node, SourceSpan span);
+  void add(Node&& node, SourceSpan span);
 
   // Whether anything was said at all, and where the first of it stands.
   bool empty() const { return !first_.has_value(); }
   SourceSpan first_span() const { return *first_; }
 
-  // The properties, once every required one is there; nothing if there was an error in the block.
-  std::optional<Properties> finish();
+  // The properties, once every required one is there; null if there was an error in the block.
+  Properties* finish();
   // What was placed, as one tree.
   std::shared_ptr<const Group> finish_group();
 
  private:
-  void push(Node node, SourceSpan span);
+  void push(Node&& node, SourceSpan span);
   void take_property(const PropertySpec& spec, const ast::Property& item, SourceSpan span,
                      Scope& scope);
   std::optional<Property> read(const PropertySpec& spec, const ast::Property& item, SourceSpan span,
@@ -49,7 +49,7 @@ class BlockBuilder {
   Evaluator& evaluator_;
   Properties properties_;
   Group group_;
-  std::unordered_set<const Group*> counted_;  // of large ones among the children
+  std::set<const Group*> counted_;  // of large ones among the children
   std::optional<SourceSpan> first_;
   bool broken_ = false;
 };

@@ -60,7 +60,7 @@ bool Context::spend_list(std::uint64_t elements, SourceSpan at) {
   return true;
 }
 
-TextureId Context::add(Texture texture) {
+TextureId Context::add(Texture&& texture) {
   spend_fuel(kRecordFuel, texture.span);
   if (const auto* gradient = std::get_if<GradientPattern>(&texture.pattern)) {
     spend_list(gradient->stops.size(), texture.span);
@@ -68,7 +68,7 @@ TextureId Context::add(Texture texture) {
   return store_.add(std::move(texture));
 }
 
-MaterialId Context::add(Material material) {
+MaterialId Context::add(Material&& material) {
   spend_fuel(kRecordFuel, material.span);
   return store_.add(std::move(material));
 }

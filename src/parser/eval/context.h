@@ -27,12 +27,12 @@ class Context {
   const EvalLimits& limits() const { return options_.limits; }
   Store& store() { return store_; }
   // Into the store, which costs fuel: records are larger than most values and are interned.
-  TextureId add(Texture texture);
-  MaterialId add(Material material);
+  TextureId add(Texture&& texture);
+  MaterialId add(Material&& material);
 
   // Reports with the calls and includes that led here.
   template <DiagnosticKind kind, class... Args>
-  Diagnostic& report(SourceSpan span, Args&&... args) {
+  [[gnu::cold, gnu::noinline]] Diagnostic& report(SourceSpan span, Args&&... args) {
     sink_.set_trace(trace());
     return sink_.report<kind>(span, std::forward<Args>(args)...);
   }
@@ -65,7 +65,7 @@ class Context {
 
   // Stops everything with a report of `kind`, which is about a limit.
   template <DiagnosticKind kind, class... Args>
-  Diagnostic& halt(SourceSpan at, Args&&... args) {
+  [[gnu::cold, gnu::noinline]] Diagnostic& halt(SourceSpan at, Args&&... args) {
     halted_ = true;
     return report<kind>(at, std::forward<Args>(args)...);
   }

@@ -27,7 +27,7 @@ std::uint64_t scene_hash(std::uint64_t texts, const EvalOptions& options) {
 
 // The scene of a file whose items have run; nothing after a report.
 std::optional<Scene> build(Context& context, BlockBuilder& builder, std::uint64_t hash) {
-  const auto properties = builder.finish();
+  const Properties* properties = builder.finish();
   if (!properties || context.sink().error_count() > 0) return std::nullopt;
   const auto camera = lower_camera(context, *properties->find("camera")->block);
   std::optional<Background> background = Background{};

@@ -14,7 +14,7 @@ void NodeList::append(Content content, MaterialId material) {
   std::get<Run<Content>>(runs_.back()).push_back({std::move(content), material, placing});
 }
 
-void NodeList::push_back(Node node) {
+void NodeList::push_back(Node&& node) {
   if (placings_.empty() || !(placings_.back() == node.placing)) {
     placings_.push_back(std::move(node.placing));
   }

@@ -42,7 +42,7 @@ struct Node {
 class NodeList {
  public:
   std::size_t size() const { return size_; }
-  void push_back(Node node);
+  void push_back(Node&& node);
 
   // visit(content, placing, material) for each node, with the content as one kind of geometry, a
   // light or a group, until it returns false.

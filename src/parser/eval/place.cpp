@@ -42,7 +42,7 @@ std::optional<Node> make_group(Evaluator& evaluator, BlockBuilder& builder, Sour
 
 std::optional<Node> make_placed(Evaluator& evaluator, BlockBuilder& builder,
                                 std::shared_ptr<const Group> group, SourceSpan span) {
-  const auto properties = builder.finish();
+  const Properties* properties = builder.finish();
   if (!properties) return std::nullopt;
   if (group == nullptr) group = builder.finish_group();
   Node node{std::move(group), {std::nullopt, "", span}};
@@ -80,7 +80,7 @@ std::optional<Node> Evaluator::place(const ast::Property& item, const Word& name
   BlockBuilder builder(*this, schema, item.name.span);
   fill(builder, *body, scope);
   if (is_group) return make_group(*this, builder, span);
-  const auto properties = builder.finish();
+  const Properties* properties = builder.finish();
   if (!properties) return std::nullopt;
   return make_shape(*this, *properties, span);
 }
@@ -115,7 +115,7 @@ std::optional<Node> Evaluator::place_light(const ast::Property& item, SourceSpan
   static const BlockSchema kHolder = {.name = "light", .tables = {std::span(&kLight, 1)}};
   BlockBuilder builder(*this, kHolder, item.name.span);
   builder.take(item, span, scope);
-  const auto holder = builder.finish();
+  const Properties* holder = builder.finish();
   if (!holder) return std::nullopt;
   const Properties& properties = *holder->find("light")->block;
   const auto light = lower_light(context_, properties);

@@ -3,8 +3,8 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
+#include "core/base/small_vector.h"
 #include "parser/eval/context.h"
 #include "parser/eval/schema/schema.h"
 
@@ -21,9 +21,7 @@ struct Property {
 
 class Properties {
  public:
-  Properties(const BlockSchema& schema, SourceSpan head) : schema_(&schema), head_(head) {
-    written_.reserve(4);  // most blocks say no more
-  }
+  Properties(const BlockSchema& schema, SourceSpan head) : schema_(&schema), head_(head) {}
 
   const BlockSchema& schema() const { return *schema_; }
   // The name of the block, where messages about it as a whole point.
@@ -47,13 +45,14 @@ class Properties {
   std::string text_or_empty(std::string_view name) const;
 
   // In the order written, the repeatable ones as often as written.
-  const std::vector<Property>& written() const { return written_; }
+  using Written = SmallVector<Property, 4>;  // most blocks say no more
+  const Written& written() const { return written_; }
   void add(Property property) { written_.push_back(std::move(property)); }
 
  private:
   const BlockSchema* schema_;
   SourceSpan head_;
-  std::vector<Property> written_;
+  Written written_;
 };
 
 }  // namespace alhazen::parser

@@ -19,10 +19,9 @@ constexpr std::size_t kLongestName = 256;
 bool in_range(const NumberRange& range, const Value& value) {
   if ((set_of(value.type()) & kMeasured) == 0) return true;
   bool inside = true, all_zero = true;
-  map_components(value, [&](double c) {
+  for_each_component(value, [&](double c) {
     inside = inside && range.contains(c) && (!range.integer || c == round_down(c));
     all_zero = all_zero && c == 0;
-    return c;
   });
   return inside && !(range.nonzero && all_zero);
 }

@@ -11,15 +11,9 @@ void Scope::define(Word& name, Value value, SourceSpan span) {
     index_.emplace(bindings_[i].name, i);
 }
 
-const Binding* Scope::find_here(const Word& name) const {
-  if (!index_.empty()) {
-    const auto it = index_.find(&name);
-    return it == index_.end() ? nullptr : &bindings_[it->second];
-  }
-  for (const Binding& binding : bindings_) {
-    if (binding.name == &name) return &binding;
-  }
-  return nullptr;
+const Binding* Scope::find_indexed(const Word& name) const {
+  const auto it = index_.find(&name);
+  return it == index_.end() ? nullptr : &bindings_[it->second];
 }
 
 std::vector<std::string_view> Scope::visible_names() const {
@@ -29,12 +23,6 @@ std::vector<std::string_view> Scope::visible_names() const {
       names.push_back(binding.name->text);
   }
   return names;
-}
-
-void Scope::begin_again(Scope* parent) {
-  if (!index_.empty()) index_.clear();
-  bindings_.clear();
-  parent_ = parent;
 }
 
 void Scope::capture() {

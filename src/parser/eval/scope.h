@@ -25,7 +25,13 @@ class Scope {
 
   // Precondition: the name is not defined in this scope.
   void define(Word& name, Value value, SourceSpan span);
-  const Binding* find_here(const Word& name) const;
+  const Binding* find_here(const Word& name) const {
+    if (!index_.empty()) return find_indexed(name);
+    for (const Binding& binding : bindings_) {
+      if (binding.name == &name) return &binding;
+    }
+    return nullptr;
+  }
   // In this scope or the nearest around it that has it.
   const Binding* find(const Word& name) const {
     if (!name.defined) return nullptr;
@@ -37,8 +43,12 @@ class Scope {
   // Every visible name, nearest first, for suggestions.
   std::vector<std::string_view> visible_names() const;
 
-  // As if new, inside of `parent`; keeps the memory of its bindings.
-  void begin_again(Scope* parent);
+  // Empty, with the memory of its bindings, and inside of `parent` then.
+  void clear() {
+    bindings_.clear();
+    if (!index_.empty()) index_.clear();
+  }
+  void set_parent(Scope* parent) { parent_ = parent; }
 
   // A function sees this scope and those around it: they stay what they are.
   void capture();
@@ -47,6 +57,8 @@ class Scope {
  private:
   // Few names are found faster one by one, and most scopes live for one turn of a loop.
   static constexpr std::size_t kMostSearched = 16;
+
+  const Binding* find_indexed(const Word& name) const;
 
   Scope* parent_;
   std::vector<Binding> bindings_;
@@ -62,12 +74,12 @@ class ScopePool {
     if (spare_.empty()) return all_.emplace_back(parent);
     Scope& scope = *spare_.back();
     spare_.pop_back();
-    scope.begin_again(parent);
+    scope.set_parent(parent);
     return scope;
   }
   void give_back(Scope& scope) {
     if (scope.captured()) return;
-    scope.begin_again(nullptr);
+    scope.clear();
     spare_.push_back(&scope);
   }
 

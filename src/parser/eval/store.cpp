@@ -1,7 +1,6 @@
 // parser/eval: interning by the fields of a record.
 #include "parser/eval/store.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -12,46 +11,62 @@
 namespace alhazen::parser {
 namespace {
 
-// Two records have one key if and only if they are equal field by field; -0 and 0 are the same.
-// A record is made for each of a million shapes: most keys need no allocation.
-class Key {
+// The fields of a record go to a sink, word by word. Two records are the same if and only if their
+// words are; -0 and 0 are one word.
+template <class Sink>
+class Fields {
  public:
-  Key& add(double x) { return add(std::bit_cast<std::uint64_t>(x + 0.0)); }
-  Key& add(std::uint64_t word) {
-    words_.push_back(word);
+  explicit Fields(Sink& sink) : sink_(sink) {}
+
+  Fields& add(double x) { return add(std::bit_cast<std::uint64_t>(x + 0.0)); }
+  Fields& add(std::uint64_t word) {
+    sink_.take(word);
     return *this;
   }
-  Key& add(Rgbd c) { return add(c.r).add(c.g).add(c.b); }
-  Key& add(Vec3d v) { return add(v.x).add(v.y).add(v.z); }
-  Key& add(const Affined& map) {
+  Fields& add(Rgbd c) { return add(c.r).add(c.g).add(c.b); }
+  Fields& add(Vec3d v) { return add(v.x).add(v.y).add(v.z); }
+  Fields& add(const Affined& map) {
     for (const auto& row : map.rows) {
       for (const double entry : row)
         add(entry);
     }
     return *this;
   }
-  Key& add(std::string_view text) {
+  Fields& add(std::string_view text) {
     add(std::uint64_t{text.size()});
     for (const char byte : text)
       add(static_cast<std::uint64_t>(byte));
     return *this;
   }
 
-  std::uint64_t hash() const {
-    std::uint64_t hash = 0;
-    for (const std::uint64_t word : words_)
-      hash = mix_64(hash, word);
-    return hash;
-  }
-  friend bool operator==(const Key& a, const Key& b) {
-    return std::equal(a.words_.begin(), a.words_.end(), b.words_.begin(), b.words_.end());
-  }
-
  private:
-  SmallVector<std::uint64_t, 48> words_;
+  Sink& sink_;
 };
 
-void add_pattern(Key& key, const Pattern& pattern) {
+// A record is made for each of a million shapes: most keys need no allocation.
+struct Key {
+  void take(std::uint64_t word) {
+    hash = mix_64(hash, word);
+    words.push_back(word);
+  }
+  std::uint64_t hash = 0;
+  SmallVector<std::uint64_t, 48> words;
+};
+
+// Whether the words are those of a key.
+struct Comparison {
+  void take(std::uint64_t word) {
+    same = same && count < key.words.size() && key.words[count] == word;
+    ++count;
+  }
+  bool holds() const { return same && count == key.words.size(); }
+  const Key& key;
+  std::size_t count = 0;
+  bool same = true;
+};
+
+template <class Sink>
+void add_pattern(Fields<Sink>& key, const Pattern& pattern) {
   key.add(std::uint64_t{pattern.index()});
   std::visit(Overloaded{[&](const SolidPattern& p) { key.add(p.color); },
                         [&](const CheckerPattern& p) {
@@ -77,7 +92,8 @@ void add_pattern(Key& key, const Pattern& pattern) {
              pattern);
 }
 
-void add_finish(Key& key, const PovFinish& m) {
+template <class Sink>
+void add_finish(Fields<Sink>& key, const PovFinish& m) {
   key.add(std::uint64_t{m.color}).add(m.filter).add(m.transmit).add(m.ambient).add(m.emission);
   key.add(m.diffuse).add(m.brilliance).add(m.phong).add(m.phong_size);
   key.add(m.specular).add(m.roughness).add(m.metallic);
@@ -87,7 +103,8 @@ void add_finish(Key& key, const PovFinish& m) {
   key.add(m.fade_distance).add(m.fade_power).add(m.fade_color);
 }
 
-void add_scattering(Key& key, const Scattering& scattering) {
+template <class Sink>
+void add_scattering(Fields<Sink>& key, const Scattering& scattering) {
   key.add(std::uint64_t{scattering.index()});
   std::visit(Overloaded{[&](const Diffuse& d) {
                           key.add(std::uint64_t{d.albedo}).add(d.highlight.strength);
@@ -109,57 +126,61 @@ void add_scattering(Key& key, const Scattering& scattering) {
              scattering);
 }
 
-Key key_of(const Texture& texture) {
-  Key key;
+template <class Sink>
+void add_record(Fields<Sink> key, const Texture& texture) {
   add_pattern(key, texture.pattern);
   // One colour everywhere looks the same however it is mapped.
   if (!std::holds_alternative<SolidPattern>(texture.pattern)) {
     key.add(static_cast<std::uint64_t>(texture.mapping)).add(texture.pattern_from_mapped);
   }
-  return key;
 }
 
-Key key_of(const Material& material) {
-  Key key;
+template <class Sink>
+void add_record(Fields<Sink> key, const Material& material) {
   add_scattering(key, material.scattering);
   key.add(material.emission);
   key.add(std::uint64_t{material.one_sided_emission});
-  return key;
 }
 
-Key key_of(const ImageFile& image) {
-  Key key;
+template <class Sink>
+void add_record(Fields<Sink> key, const ImageFile& image) {
   key.add(image.path).add(image.color_space);
-  return key;
+}
+
+template <class Record>
+bool has_key(const Record& record, const Key& key) {
+  Comparison comparison{key};
+  add_record(Fields(comparison), record);
+  return comparison.holds();
 }
 
 }  // namespace
 
 template <class Record>
-std::uint32_t Store::Interned<Record>::add(Record record) {
-  const Key key = key_of(record);
-  const std::uint64_t hash = key.hash();
-  const auto [first, last] = ids_.equal_range(hash);
+std::uint32_t Store::Interned<Record>::add(Record&& record) {
+  Key key;
+  add_record(Fields(key), record);
+  const auto [first, last] = ids_.equal_range(key.hash);
   for (auto it = first; it != last; ++it) {
-    if (key_of(records_[it->second]) == key) return it->second;
+    if (has_key(records_[it->second], key)) return it->second;
   }
   const auto id = static_cast<std::uint32_t>(records_.size());
-  ids_.emplace(hash, id);
+  ids_.emplace(key.hash, id);
   records_.push_back(std::move(record));
   return id;
 }
 
-TextureId Store::add(Texture texture) {
+TextureId Store::add(Texture&& texture) {
   const TextureId id = textures_.add(std::move(texture));
   if (id == largest_.size()) largest_.push_back(bound(textures_[id].pattern));
   return id;
 }
 
-MaterialId Store::add(Material material) {
+MaterialId Store::add(Material&& material) {
   return materials_.add(std::move(material));
 }
 
-ImageId Store::add(ImageFile image) {
+ImageId Store::add(ImageFile&& image) {
   return images_.add(std::move(image));
 }
 

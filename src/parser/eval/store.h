@@ -14,9 +14,9 @@ namespace alhazen::parser {
 
 class Store {
  public:
-  TextureId add(Texture texture);
-  MaterialId add(Material material);
-  ImageId add(ImageFile image);
+  TextureId add(Texture&& texture);
+  MaterialId add(Material&& material);
+  ImageId add(ImageFile&& image);
 
   const Texture& texture(TextureId id) const { return textures_[id]; }
   const Material& material(MaterialId id) const { return materials_[id]; }
@@ -35,7 +35,7 @@ class Store {
   template <class Record>
   class Interned {
    public:
-    std::uint32_t add(Record record);
+    std::uint32_t add(Record&& record);
     const Record& operator[](std::uint32_t id) const { return records_[id]; }
     Record& operator[](std::uint32_t id) { return records_[id]; }
 

@@ -29,6 +29,15 @@ Value map_components(const Value& value, Map f) {
   }
 }
 
+// visit(component) for each of them. Precondition: as above.
+template <class Visit>
+void for_each_component(const Value& value, Visit visit) {
+  map_components(value, [&](double c) {
+    visit(c);
+    return c;
+  });
+}
+
 // Precondition: both of one type, which is one of those above.
 template <class Combine>
 Value combine(const Value& a, const Value& b, Combine f) {
