@@ -1,6 +1,10 @@
 // parser/eval: the formulas behind srgb(), hsv() and kelvin().
 #include "parser/eval/color_convert.h"
 
+#include <bit>
+#include <cstdint>
+
+#include "core/base/hash.h"
 #include "core/math/elementary.h"
 
 namespace alhazen::parser {
@@ -9,6 +13,12 @@ double srgb_to_linear(double encoded) {
   const double size = absolute(encoded);
   const double linear = size <= 0.04045 ? size / 12.92 : power((size + 0.055) / 1.055, 2.4);
   return encoded < 0 ? -linear : linear;
+}
+
+double SrgbDecoder::linear(double encoded) {
+  Known& known = known_[mix_64(std::bit_cast<std::uint64_t>(encoded)) % known_.size()];
+  if (known.encoded != encoded) known = {encoded, srgb_to_linear(encoded)};
+  return known.linear;
 }
 
 Rgbd working_from_rec709(const ColorMatrix& m, Rgbd c) {

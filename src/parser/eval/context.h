@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/diag/diagnostic.h"
+#include "parser/eval/color_convert.h"
 #include "parser/eval/evaluate.h"
 #include "parser/eval/store.h"
 #include "parser/eval/value.h"
@@ -29,6 +30,11 @@ class Context {
   // Into the store, which costs fuel: records are larger than most values and are interned.
   TextureId add(Texture&& texture);
   MaterialId add(Material&& material);
+
+  // A colour of encoded sRGB in the working space.
+  Rgbd from_srgb(Rgbd encoded) {
+    return working_from_rec709(options_.working_from_rec709, decode_srgb_(encoded));
+  }
 
   // Reports with the calls and includes that led here.
   template <DiagnosticKind kind, class... Args>
@@ -92,6 +98,7 @@ class Context {
   DiagnosticSink& sink_;
   const EvalOptions& options_;
   Store store_;
+  SrgbDecoder decode_srgb_;
   std::vector<Frame> frames_;
   std::unordered_map<FileId, std::filesystem::path> folders_;
   std::filesystem::path root_;

@@ -4,7 +4,6 @@
 #include "core/base/near_name.h"
 #include "core/base/overloaded.h"
 #include "core/base/small_vector.h"
-#include "parser/eval/color_convert.h"
 #include "parser/eval/evaluator.h"
 #include "parser/eval/habits.h"
 #include "parser/eval/operator.h"
@@ -63,10 +62,7 @@ Value Evaluator::evaluate_node(const ast::Expr& expr, Scope& scope) {
                    return context_.make_text(std::string(s.value), expr.span);
                  },
                  [&](const ast::HexColor& c) -> Value {
-                   return working_from_rec709(
-                       context_.options().working_from_rec709,
-                       {srgb_to_linear(c.red / 255.0), srgb_to_linear(c.green / 255.0),
-                        srgb_to_linear(c.blue / 255.0)});
+                   return context_.from_srgb({c.red / 255.0, c.green / 255.0, c.blue / 255.0});
                  },
                  [&](const ast::BoolLiteral& b) -> Value { return b.value; },
                  [&](const ast::NameRef& n) { return evaluate_name(expr, n.name, scope); },

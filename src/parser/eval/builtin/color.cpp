@@ -15,10 +15,6 @@ constexpr BuiltinParameter kGray[] = {{"value", kNumber}};
 constexpr BuiltinParameter kKelvin[] = {{"temperature", kNumber}};
 constexpr BuiltinParameter kColorParameter[] = {{"color", kColor}};
 
-Rgbd to_working(const BuiltinCall& call, Rgbd rec709) {
-  return working_from_rec709(call.context.options().working_from_rec709, rec709);
-}
-
 // One number for all three channels, or three.
 std::optional<Rgbd> channels(const BuiltinCall& call) {
   if (call.has(1) != call.has(2)) {
@@ -43,7 +39,7 @@ Value srgb_of(const BuiltinCall& call) {
       return call.outside_domain(i, "numbers from 0 to 1 (`srgb(...) * 5` is brighter)");
     }
   }
-  return to_working(call, {srgb_to_linear(c->r), srgb_to_linear(c->g), srgb_to_linear(c->b)});
+  return call.context.from_srgb(*c);
 }
 
 Value hsv_of(const BuiltinCall& call) {
@@ -53,8 +49,7 @@ Value hsv_of(const BuiltinCall& call) {
       return call.outside_domain(i, "a number from 0 to 1");
     }
   }
-  const Rgbd c = hsv_to_rgb(hue, call.number(1), call.number(2));
-  return to_working(call, {srgb_to_linear(c.r), srgb_to_linear(c.g), srgb_to_linear(c.b)});
+  return call.context.from_srgb(hsv_to_rgb(hue, call.number(1), call.number(2)));
 }
 
 Value gray_of(const BuiltinCall& call) {
@@ -65,7 +60,8 @@ Value kelvin_of(const BuiltinCall& call) {
   if (!(call.number(0) >= kMinKelvin && call.number(0) <= kMaxKelvin)) {
     return call.outside_domain(0, "a temperature from 1667 to 25000 (kelvin)");
   }
-  const Rgbd c = to_working(call, black_body_rec709(call.number(0)));
+  const Rgbd c = working_from_rec709(call.context.options().working_from_rec709,
+                                     black_body_rec709(call.number(0)));
   return Rgbd{larger(0.0, c.r), larger(0.0, c.g), larger(0.0, c.b)};
 }
 
