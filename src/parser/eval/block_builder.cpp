@@ -124,79 +124,84 @@ void BlockBuilder::take_property(const PropertySpec& spec, const ast::Property& 
     broken_ = true;
     return;
   }
-  auto property = read(spec, item, span, scope);
-  if (!property) {
+  Property property{&spec, Value(), nullptr, item.name.span, {}};
+  if (!read(property, item, span, scope)) {
     broken_ = true;
     // Known to be there: a second one is still one too many, and it is not missing.
-    property = Property{&spec, Poison{}, nullptr, {}, item.name.span};
+    property.value_span = item.name.span;
   }
-  property->name_span = item.name.span;
-  properties_.add(std::move(*property));
+  properties_.add(std::move(property));
 }
 
-std::optional<Property> BlockBuilder::read(const PropertySpec& spec, const ast::Property& item,
-                                           SourceSpan span, Scope& scope) {
+bool BlockBuilder::read(Property& out, const ast::Property& item, SourceSpan span, Scope& scope) {
+  const PropertySpec& spec = *out.spec;
+  if (const auto* expr = std::get_if<ast::ExprPtr>(&item.value)) {
+    return read_value(out, **expr, scope);
+  }
+  if (!spec.blocks.empty() && !spec.kind_named) {
+    return read_block(out, *spec.blocks[0], item.name.span, span, std::get<ast::Body>(item.value),
+                      scope);
+  }
   Context& context = evaluator_.context();
-  if (const auto* body = std::get_if<ast::Body>(&item.value)) {
-    if (!spec.blocks.empty() && !spec.kind_named) {
-      return read_block(spec, *spec.blocks[0], item.name.span, span, *body, scope);
-    }
-    if (!spec.blocks.empty()) {
-      context
-          .report<DiagnosticKind::kind_missing>(item.name.span, spec.name,
-                                                fmt::join(names_of(spec.blocks), "`, `"))
-          .hint((spec.types & set_of(Type::color)) != 0
-                    ? fmt::format("one colour is written `{} rgb(0.3, 0.5, 0.8)`", spec.name)
-                    : example_hint(*spec.blocks[0]));
-    } else {
-      context.report<DiagnosticKind::property_takes_no_body>(item.name.span, spec.name,
-                                                             describe(spec.types));
-    }
-    return std::nullopt;
+  if (spec.blocks.empty()) {
+    context.report<DiagnosticKind::property_takes_no_body>(item.name.span, spec.name,
+                                                           describe(spec.types));
+    return false;
   }
-  const ast::Expr& expr = *std::get<ast::ExprPtr>(item.value);
-  if (const auto* name = std::get_if<ast::NameRef>(&expr.node)) {
-    const bool is_word =
-        std::find(spec.words.begin(), spec.words.end(), name->name) != spec.words.end();
-    const bool is_unknown_word = !spec.words.empty() && !is_defined(*name, scope);
-    if (is_word || is_unknown_word) {
-      const Value word = context.make_text(std::string(name->name), expr.span);
-      if (word.is_poison() || !check_property(context, spec, word, expr.span)) return std::nullopt;
-      return Property{&spec, word, nullptr, {}, expr.span};
-    }
-  }
-  if (!spec.blocks.empty()) {
-    const auto* block = std::get_if<ast::Block>(&expr.node);
-    const bool is_kind =
-        block != nullptr && std::holds_alternative<ast::NameRef>(block->head->node);
-    const auto* bare = std::get_if<ast::NameRef>(&expr.node);
-    const bool is_bare_kind = bare != nullptr && !is_defined(*bare, scope);
-    if (is_kind || is_bare_kind || spec.types == 0) return read_kind(spec, expr, scope);
-  }
-  const Value value = evaluator_.evaluate(expr, scope);
-  if (value.is_poison() || !check_property(context, spec, value, expr.span)) return std::nullopt;
-  return Property{&spec, value, nullptr, {}, expr.span};
+  context
+      .report<DiagnosticKind::kind_missing>(item.name.span, spec.name,
+                                            fmt::join(names_of(spec.blocks), "`, `"))
+      .hint((spec.types & set_of(Type::color)) != 0
+                ? fmt::format("one colour is written `{} rgb(0.3, 0.5, 0.8)`", spec.name)
+                : example_hint(*spec.blocks[0]));
+  return false;
 }
 
-std::optional<Property> BlockBuilder::read_kind(const PropertySpec& spec, const ast::Expr& expr,
-                                                Scope& scope) {
+bool BlockBuilder::read_value(Property& out, const ast::Expr& expr, Scope& scope) {
+  const PropertySpec& spec = *out.spec;
+  Context& context = evaluator_.context();
+  const auto* name = std::get_if<ast::NameRef>(&expr.node);
+  const auto is_word = [&] {
+    return std::find(spec.words.begin(), spec.words.end(), name->name) != spec.words.end();
+  };
+  Value value;
+  if (name != nullptr && !spec.words.empty() && (is_word() || !is_defined(*name, scope))) {
+    value = context.make_text(std::string(name->name), expr.span);
+  } else {
+    if (!spec.blocks.empty()) {
+      const auto* block = std::get_if<ast::Block>(&expr.node);
+      const bool is_kind =
+          block != nullptr && std::holds_alternative<ast::NameRef>(block->head->node);
+      const bool is_bare_kind = name != nullptr && !is_defined(*name, scope);
+      if (is_kind || is_bare_kind || spec.types == 0) return read_kind(out, expr, scope);
+    }
+    value = evaluator_.evaluate(expr, scope);
+  }
+  if (value.is_poison() || !check_property(context, spec, value, expr.span)) return false;
+  out.value = std::move(value);
+  out.value_span = expr.span;
+  return true;
+}
+
+bool BlockBuilder::read_kind(Property& out, const ast::Expr& expr, Scope& scope) {
+  const PropertySpec& spec = *out.spec;
   Context& context = evaluator_.context();
   const auto* block = std::get_if<ast::Block>(&expr.node);
   const ast::Expr& head = block != nullptr ? *block->head : expr;
   const auto* name = std::get_if<ast::NameRef>(&head.node);
   const BlockSchema* kind = name != nullptr ? find_schema(spec.blocks, name->name) : nullptr;
   if (kind != nullptr && block != nullptr) {
-    return read_block(spec, *kind, head.span, expr.span, block->body, scope);
+    return read_block(out, *kind, head.span, expr.span, block->body, scope);
   }
   if (kind != nullptr) {
     context.report<DiagnosticKind::kind_needs_body>(expr.span, kind->name)
         .hint(example_hint(*kind));
-    return std::nullopt;
+    return false;
   }
   if (!spec.kind_named) {
     context.report<DiagnosticKind::kind_needs_body>(expr.span, spec.name)
         .hint(example_hint(*spec.blocks[0]));
-    return std::nullopt;
+    return false;
   }
   Diagnostic& d = context.report<DiagnosticKind::unknown_kind>(
       head.span, spec.name, fmt::join(names_of(spec.blocks), "`, `"));
@@ -206,18 +211,18 @@ std::optional<Property> BlockBuilder::read_kind(const PropertySpec& spec, const 
     }
   }
   d.hint(example_hint(*spec.blocks[0]));
-  return std::nullopt;
+  return false;
 }
 
-std::optional<Property> BlockBuilder::read_block(const PropertySpec& spec, const BlockSchema& kind,
-                                                 SourceSpan head, SourceSpan span,
-                                                 const ast::Body& body, Scope& scope) {
+bool BlockBuilder::read_block(Property& out, const BlockSchema& kind, SourceSpan head,
+                              SourceSpan span, const ast::Body& body, Scope& scope) {
   BlockBuilder inner(evaluator_, kind, head);
   evaluator_.fill(inner, body, scope);
   Properties* properties = inner.finish();
-  if (!properties) return std::nullopt;
-  return Property{
-      &spec, Value(), std::make_shared<const Properties>(std::move(*properties)), {}, span};
+  if (properties == nullptr) return false;
+  out.block = std::make_shared<const Properties>(std::move(*properties));
+  out.value_span = span;
+  return true;
 }
 
 void BlockBuilder::report_unknown(const ast::Name& name, Scope& scope) {

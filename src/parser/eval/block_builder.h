@@ -36,12 +36,12 @@ class BlockBuilder {
   void push(Node&& node, SourceSpan span);
   void take_property(const PropertySpec& spec, const ast::Property& item, SourceSpan span,
                      Scope& scope);
-  std::optional<Property> read(const PropertySpec& spec, const ast::Property& item, SourceSpan span,
-                               Scope& scope);
-  std::optional<Property> read_kind(const PropertySpec& spec, const ast::Expr& expr, Scope& scope);
-  std::optional<Property> read_block(const PropertySpec& spec, const BlockSchema& kind,
-                                     SourceSpan head, SourceSpan span, const ast::Body& body,
-                                     Scope& scope);
+  // Value or block of a property, and where they stand; false after a report.
+  bool read(Property& out, const ast::Property& item, SourceSpan span, Scope& scope);
+  bool read_value(Property& out, const ast::Expr& expr, Scope& scope);
+  bool read_kind(Property& out, const ast::Expr& expr, Scope& scope);
+  bool read_block(Property& out, const BlockSchema& kind, SourceSpan head, SourceSpan span,
+                  const ast::Body& body, Scope& scope);
   // By the author; built-in names are not.
   bool is_defined(const ast::NameRef& name, const Scope& scope);
   void report_unknown(const ast::Name& name, Scope& scope);

@@ -126,7 +126,7 @@ Value Evaluator::call_builtin(const ast::Expr& expr, const ast::Call& call,
   }
   if (poisoned || context_.halted()) return Poison{};
   Value result = function.apply(checked);
-  if (!is_finite(result)) return report_not_finite(context_, expr.span);
+  if (!is_finite(result)) result = report_not_finite(context_, expr.span);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "core/base/overloaded.h"
+#include "core/base/same_name.h"
 #include "parser/eval/lower.h"
 #include "parser/eval/metal_presets.h"
 #include "parser/eval/texture_value.h"
@@ -85,13 +86,13 @@ const Kind* part_of(const Material* base) {
 }
 
 Lowered scattering(Context& context, const Properties& p, const Material* base) {
-  const std::string_view name = p.schema().name;
-  if (name == "diffuse") return diffuse(context, p, part_of<Diffuse>(base));
-  if (name == "mirror") return mirror(context, p, part_of<Mirror>(base));
-  if (name == "metal") return metal(context, p, part_of<Metal>(base));
-  if (name == "glass") return glass(context, p, part_of<Glass>(base));
-  if (name == "coat") return coat(context, p, part_of<Coat>(base));
-  if (name == "pov_finish") return pov_finish(context, p, part_of<PovFinish>(base));
+  const auto is = [name = p.schema().name](std::string_view kind) { return same_name(name, kind); };
+  if (is("diffuse")) return diffuse(context, p, part_of<Diffuse>(base));
+  if (is("mirror")) return mirror(context, p, part_of<Mirror>(base));
+  if (is("metal")) return metal(context, p, part_of<Metal>(base));
+  if (is("glass")) return glass(context, p, part_of<Glass>(base));
+  if (is("coat")) return coat(context, p, part_of<Coat>(base));
+  if (is("pov_finish")) return pov_finish(context, p, part_of<PovFinish>(base));
   return Black{};
 }
 

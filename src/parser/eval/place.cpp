@@ -13,8 +13,10 @@ bool lower_placing(Context& context, const Properties& p, Node& node) {
   const auto map = lower_transform(context, p);
   if (!map) return false;
   if (!(*map == Affined())) node.placing.parent_from_child = *map;
-  if (p.has("material")) node.material = p.find("material")->value.as<MaterialRef>().id;
-  if (p.schema().find("name") != nullptr) node.placing.name = p.text_or_empty("name");
+  if (const Property* material = p.find("material")) {
+    node.material = material->value.as<MaterialRef>().id;
+  }
+  if (const Property* name = p.find("name")) node.placing.name = name->value.text();
   return true;
 }
 

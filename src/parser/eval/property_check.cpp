@@ -26,6 +26,25 @@ bool in_range(const NumberRange& range, const Value& value) {
   return inside && !(range.nonzero && all_zero);
 }
 
+// These give false.
+bool report_type(Context& context, const PropertySpec& spec, const Value& value, SourceSpan span) {
+  Diagnostic& d = context.report<DiagnosticKind::property_type>(
+      span, spec.name, describe(spec.types), a_type_name(value.type()));
+  const std::string hint = conversion_hint(spec.types, value);
+  if (!hint.empty()) d.hint(hint);
+  return false;
+}
+
+bool report_range(Context& context, const PropertySpec& spec, const std::string& found,
+                  SourceSpan span) {
+  Diagnostic& d =
+      context.report<DiagnosticKind::out_of_range>(span, spec.name, describe(spec.range), found);
+  if ((spec.types & kTexture) != 0 && spec.range.contains(1) && !spec.range.contains(2)) {
+    d.hint("a surface cannot reflect more light than it receives; channels are from 0 to 1");
+  }
+  return false;
+}
+
 bool check_word(Context& context, const PropertySpec& spec, const std::string& word,
                 SourceSpan span) {
   if (std::find(spec.words.begin(), spec.words.end(), word) != spec.words.end()) return true;
@@ -69,31 +88,20 @@ std::string conversion_hint(TypeSet wanted, const Value& given) {
 
 bool check_property(Context& context, const PropertySpec& spec, const Value& value,
                     SourceSpan span) {
-  if ((spec.types & set_of(value.type())) == 0) {
-    Diagnostic& d = context.report<DiagnosticKind::property_type>(
-        span, spec.name, describe(spec.types), a_type_name(value.type()));
-    const std::string hint = conversion_hint(spec.types, value);
-    if (!hint.empty()) d.hint(hint);
-    return false;
-  }
-  if (spec.name == "name" && value.text().size() > kLongestName) {
+  if ((spec.types & set_of(value.type())) == 0) return report_type(context, spec, value, span);
+  if (value.is(Type::string) && spec.name == "name" && value.text().size() > kLongestName) {
     context.report<DiagnosticKind::name_too_long>(span, kLongestName, value.text().size());
     return false;
   }
   if (!spec.words.empty()) return check_word(context, spec, value.text(), span);
   if (spec.range == NumberRange()) return true;
-  // The bound of a texture's colours is what it may reflect.
-  Value bounded = value;
-  if (value.is(Type::texture)) bounded = context.store().largest(value.as<TextureRef>().id);
-  if (in_range(spec.range, bounded)) return true;
-  std::string found = to_text(bounded, 60);
-  if (value.is(Type::texture)) found = "a texture with colours up to " + found;
-  Diagnostic& d =
-      context.report<DiagnosticKind::out_of_range>(span, spec.name, describe(spec.range), found);
-  if ((spec.types & kTexture) != 0 && spec.range.contains(1) && !spec.range.contains(2)) {
-    d.hint("a surface cannot reflect more light than it receives; channels are from 0 to 1");
+  if (!value.is(Type::texture)) {
+    return in_range(spec.range, value) || report_range(context, spec, to_text(value, 60), span);
   }
-  return false;
+  // The bound of a texture's colours is what it may reflect.
+  const Value bound = context.store().largest(value.as<TextureRef>().id);
+  return in_range(spec.range, bound) ||
+         report_range(context, spec, "a texture with colours up to " + to_text(bound, 60), span);
 }
 
 }  // namespace alhazen::parser

@@ -16,6 +16,10 @@ Flow Evaluator::run(Items items, const Body& body) {
 }
 
 Flow Evaluator::run_item(const ast::Item& item, const Body& body) {
+  if (const auto* property = std::get_if<ast::Property>(&item.node)) {
+    body.target.take(*property, item.span, body.scope);
+    return Flow::next;
+  }
   const auto then_next = [](auto&& action) {
     action();
     return Flow::next;

@@ -45,11 +45,13 @@ class Fields {
 
 // A record is made for each of a million shapes: most keys need no allocation.
 struct Key {
-  void take(std::uint64_t word) {
-    hash = mix_64(hash, word);
-    words.push_back(word);
+  void take(std::uint64_t word) { words.push_back(word); }
+  std::uint64_t hash() const {
+    std::uint64_t hash = 0;
+    for (const std::uint64_t word : words)
+      hash = mix_64(hash ^ word);
+    return hash;
   }
-  std::uint64_t hash = 0;
   SmallVector<std::uint64_t, 48> words;
 };
 
@@ -160,12 +162,13 @@ template <class Record>
 std::uint32_t Store::Interned<Record>::add(Record&& record) {
   Key key;
   add_record(Fields(key), record);
-  const auto [first, last] = ids_.equal_range(key.hash);
+  const std::uint64_t hash = key.hash();
+  const auto [first, last] = ids_.equal_range(hash);
   for (auto it = first; it != last; ++it) {
     if (has_key(records_[it->second], key)) return it->second;
   }
   const auto id = static_cast<std::uint32_t>(records_.size());
-  ids_.emplace(key.hash, id);
+  ids_.emplace(hash, id);
   records_.push_back(std::move(record));
   return id;
 }
