@@ -68,9 +68,14 @@ bool is_black(const SolidColors& solid, TextureId texture) {
 
 Surroundings surroundings_of(const Scene& scene) {
   bool bends = false;
-  scene.shapes.for_each_different([&](const Shape& shape, ShapeId) {
-    bends = bends || has_index(scene.materials[shape.material].scattering);
-  });
+  const bool may_bend =
+      std::any_of(scene.materials.begin(), scene.materials.end(),
+                  [](const Material& material) { return has_index(material.scattering); });
+  if (may_bend) {
+    scene.shapes.for_each_different([&](const Shape& shape, ShapeId) {
+      bends = bends || has_index(scene.materials[shape.material].scattering);
+    });
+  }
   return {solid_colors(scene), shining_lights(scene), bends};
 }
 

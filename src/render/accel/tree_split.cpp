@@ -62,18 +62,23 @@ void choose_cut(const BinContents& bins, std::size_t axis, std::size_t size,
   std::array<float, kBins> after{};
   TreeBox box;
   std::size_t count = 0;
+  float cost = 0;
   for (std::size_t k = kBins - 1; k > 0; --k) {
-    box.add(bins.boxes[k]);
-    count += bins.counts[k];
-    if (count > 0) after[k - 1] = half_area(box) * static_cast<float>(count);
+    if (bins.counts[k] > 0) {
+      box.add(bins.boxes[k]);
+      count += bins.counts[k];
+      cost = half_area(box) * static_cast<float>(count);
+    }
+    after[k - 1] = cost;
   }
   box = {};
   count = 0;
   for (std::size_t k = 0; k + 1 < kBins; ++k) {
+    if (bins.counts[k] == 0) continue;  // a cut that was there before
     box.add(bins.boxes[k]);
     count += bins.counts[k];
-    if (count == 0 || count == size) continue;
-    const float cost = half_area(box) * static_cast<float>(count) + after[k];
+    if (count == size) break;
+    cost = half_area(box) * static_cast<float>(count) + after[k];
     if (!best || cost < best->cost) best = Cut{axis, static_cast<int>(k), cost};
   }
 }
