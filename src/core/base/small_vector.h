@@ -14,7 +14,8 @@ namespace alhazen {
 template <class T, std::size_t kFew>
 class SmallVector {
  public:
-  SmallVector() = default;
+  // Written out, so that `{}` does not fill the place for the elements with zeros first.
+  SmallVector() {}  // NOLINT(modernize-use-equals-default)
   explicit SmallVector(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
       push_back(T());

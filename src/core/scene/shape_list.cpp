@@ -25,13 +25,22 @@ void ShapeList::push_back(const Shape& shape) {
                       static_cast<std::uint32_t>(commons_.size() - 1)});
 }
 
-Geometry ShapeList::geometry(const Entry& entry) const {
-  return [&]<std::size_t... kinds>(std::index_sequence<kinds...>) {
-    Geometry geometry;
-    (void)((entry.kind == kinds && (geometry = std::get<kinds>(lists_)[entry.index], true)) || ...);
-    return geometry;
+namespace {
+
+// The element of the list of that kind. Each is made in its place: a geometry that is made first
+// and filled then is one of the largest kind, set to zero.
+template <std::size_t kind = 0, class Lists>
+Geometry element(const Lists& lists, std::size_t wanted, std::size_t index) {
+  if constexpr (kind + 1 < std::variant_size_v<Geometry>) {
+    if (wanted != kind) return element<kind + 1>(lists, wanted, index);
   }
-  (std::make_index_sequence<std::variant_size_v<Geometry>>());
+  return std::get<kind>(lists)[index];
+}
+
+}  // namespace
+
+Geometry ShapeList::geometry(const Entry& entry) const {
+  return element(lists_, entry.kind, entry.index);
 }
 
 const Shape ShapeList::operator[](std::size_t id) const {

@@ -48,9 +48,11 @@ struct Key {
   void take(std::uint64_t word) { words.push_back(word); }
   std::uint64_t hash() const {
     std::uint64_t hash = 0;
-    for (const std::uint64_t word : words)
-      hash = mix_64(hash ^ word);
-    return hash;
+    for (const std::uint64_t word : words) {
+      hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
+      hash ^= hash >> 32;
+    }
+    return mix_64(hash);
   }
   SmallVector<std::uint64_t, 48> words;
 };
@@ -163,14 +165,16 @@ std::uint32_t Store::Interned<Record>::add(Record&& record) {
   Key key;
   add_record(Fields(key), record);
   const std::uint64_t hash = key.hash();
+  std::uint32_t& recent = recent_[hash % recent_.size()];
+  if (recent < records_.size() && has_key(records_[recent], key)) return recent;
   const auto [first, last] = ids_.equal_range(hash);
   for (auto it = first; it != last; ++it) {
-    if (has_key(records_[it->second], key)) return it->second;
+    if (has_key(records_[it->second], key)) return recent = it->second;
   }
   const auto id = static_cast<std::uint32_t>(records_.size());
   ids_.emplace(hash, id);
   records_.push_back(std::move(record));
-  return id;
+  return recent = id;
 }
 
 TextureId Store::add(Texture&& texture) {

@@ -2,6 +2,8 @@
 // name and span means the same id.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -42,6 +44,8 @@ class Store {
    private:
     std::vector<Record> records_;
     std::unordered_multimap<std::uint64_t, std::uint32_t> ids_;
+    // Where the few that a loop makes over and over are found without a search.
+    std::array<std::uint32_t, 256> recent_{};
   };
 
   Interned<Texture> textures_;
