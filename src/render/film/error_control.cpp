@@ -8,8 +8,7 @@
 namespace alhazen::render {
 namespace {
 
-// Of the pixels that are not to get more samples, one in so many gets them all
-// the same.
+// Of the pixels that are not to get more samples, one in so many gets them all the same.
 constexpr std::uint8_t kLots = 8;
 // Of the pixels with one sample some more, if the picture is so small that
 // fewer than this would be drawn of all.
@@ -155,8 +154,7 @@ void ErrorControl::settle() {
   }
 }
 
-// What a pixel's last doubling says of its loss, if its variance were `scale`
-// times what it is.
+// What a pixel's last doubling says of its loss, if its variance were `scale` times what it is.
 double ErrorControl::own_loss(std::size_t p, double scale) const {
   if (taken_[p] < 2) return 0;
   const double factor = fall_.factor(level_of(taken_[p])), by = scale / (factor - 1);
@@ -180,11 +178,10 @@ std::vector<ErrorControl::Exchanged> ErrorControl::exchange() const {
   return exchanged;
 }
 
-// Variances of means as decisions see them. One squared change says little
-// about one pixel; half of what is believed comes from the pixels around, by
-// the binomial weights 1 2 1, the pixel's own share of those included. An edge
-// that was missed here was seen next door. This is for one sample of pixel `p`,
-// if its own is `spread`.
+// Variances of means as decisions see them. One squared change says little about one pixel; half of
+// what is believed comes from the pixels around, by the binomial weights 1 2 1, the pixel's own
+// share of those included. An edge that was missed here was seen next door. This is for one sample
+// of pixel `p`, if its own is `spread`.
 double ErrorControl::smoothed(std::size_t p, double spread) const {
   const int y = static_cast<int>(p / static_cast<std::size_t>(width_));
   const int x = static_cast<int>(p % static_cast<std::size_t>(width_));
@@ -246,8 +243,7 @@ int ErrorControl::class_of(double variance, std::uint32_t samples) const {
   return PriorityClasses::of(gain / samples);
 }
 
-// Every pixel counts by its class alone: what would be gained for each sample
-// that is spent.
+// Every pixel counts by its class alone: what would be gained for each sample that is spent.
 void ErrorControl::choose() {
   PriorityClasses classes;
   double samples = 0, weighted_fall = 0;
@@ -295,8 +291,7 @@ void ErrorControl::choose_all() {
   }
 }
 
-// Where pixels are counted, some that are chosen by class are good enough
-// already.
+// Where pixels are counted, some that are chosen by class are good enough already.
 bool ErrorControl::is_worth_it(double variance) const {
   constexpr double kSmallShare = 0.1;
   return !loss_.counts_pixels() || loss_.of(variance) > kSmallShare * loss_.goal();

@@ -1,6 +1,5 @@
 // render/film: which pixels of a picture need more samples for its error to be
-// what was asked for, and what the error is by now. docs/accuracy.md says why
-// it may be believed.
+// what was asked for, and what the error is by now. docs/accuracy.md says why it may be believed.
 #pragma once
 
 #include <array>
@@ -15,9 +14,8 @@
 
 namespace alhazen::render {
 
-// The error of sampling, against the picture's expectation: the root of the
-// mean square, or the share of pixels that are off by more than the target
-// says.
+// The error of sampling, against the picture's expectation: the root of the mean square, or the
+// share of pixels that are off by more than the target says.
 struct ErrorEstimate {
   double value = 0;
   double bound = 0;  // with kErrorConfidence it is at most this, the picture's
@@ -32,11 +30,10 @@ struct PixelChange {
   std::array<double, 3> outer{}, inner{};
 };
 
-// Samples are taken in passes over the whole picture: one of each pixel in the
-// first. From then on a pixel takes as many samples as it has, or none; how far
-// its mean moves tells what the samples before were worth. Everything is
-// decided between passes from sums over all pixels in their order, so that
-// neither tiles nor threads can be seen in the picture.
+// Samples are taken in passes over the whole picture: one of each pixel in the first. From then on
+// a pixel takes as many samples as it has, or none; how far its mean moves tells what the samples
+// before were worth. Everything is decided between passes from sums over all pixels in their order,
+// so that neither tiles nor threads can be seen in the picture.
 //
 // Pixels are numbered by rows from the top left one of the window.
 class ErrorControl {

@@ -10,63 +10,55 @@
 
 namespace alhazen::render {
 
-// What a sum of squares may be, most of
-// them small and few large, if it came out as `sum` with that variance:
-// one-sided, with kErrorConfidence. As a number of events, each of which adds
-// `typical` (E. B. Wilson, JASA 22, 1927).
+// What a sum of squares may be, most of them small and few large, if it came out as `sum` with that
+// variance: one-sided, with kErrorConfidence. As a number of events, each of which adds `typical`
+// (E. B. Wilson, JASA 22, 1927).
 inline double upper_bound(double sum, double variance, double typical) {
   constexpr double kQuantile = 1.645;  // of the normal distribution
   const double half = kQuantile * typical / 2;
   return sum + kQuantile * (half + square_root(variance + half * half));
 }
 
-// A pixel that moved little gets no more samples, so those that rest are those
-// that happened to move little: by themselves they look better than they are.
-// Of all that rest with equally many samples some, drawn by lot, go on
-// nevertheless. How far those move is not biased by the choice, and says what
-// the others were taken for too little.
+// A pixel that moved little gets no more samples, so those that rest are those that happened to
+// move little: by themselves they look better than they are. Of all that rest with equally many
+// samples some, drawn by lot, go on nevertheless. How far those move is not biased by the choice,
+// and says what the others were taken for too little.
 class ErrorLots {
  public:
   struct Found {
     double loss, variance;
   };
-  // What has been found of a pixel that stands for those that rest and seemed
-  // to have a variance of `seemed`: by how much its loss and its variance are
-  // above what was believed.
+  // What has been found of a pixel that stands for those that rest and seemed to have a variance of
+  // `seemed`: by how much its loss and its variance are above what was believed.
   struct Result {
     double seemed = 0, loss = 0, variance = 0;
   };
   void add_drawn(const Result& result) { drawn_.push_back(result); }
-  // The two halves of a pixel's samples might as well have come the other way
-  // round. For what is small and bright and was met by the first, so that the
-  // pixel was chosen, and not by the second, there is as much elsewhere, on
-  // average, that the second would meet and the first has missed: among the
-  // pixels that rest. Few of those are drawn, all that were chosen are seen; so
-  // such a pixel, with its halves exchanged, stands for one that rests.
+  // The two halves of a pixel's samples might as well have come the other way round. For what is
+  // small and bright and was met by the first, so that the pixel was chosen, and not by the second,
+  // there is as much elsewhere, on average, that the second would meet and the first has missed:
+  // among the pixels that rest. Few of those are drawn, all that were chosen are seen; so such a
+  // pixel, with its halves exchanged, stands for one that rests.
   void add_exchanged(const Result& result) { exchanged_.push_back(result); }
 
-  // Pixel `p` is drawn. Its own loss is believed to be `loss`, its variance
-  // `seemed`.
+  // Pixel `p` is drawn. Its own loss is believed to be `loss`, its variance `seemed`.
   void draw(std::size_t p, double loss, double seemed) { open_.push_back({p, loss, seemed}); }
 
-  // Those that are like what has now been chosen no longer stand for those that
-  // rest.
+  // Those that are like what has now been chosen no longer stand for those that rest.
   template <class IsChosen>  // bool(double seemed)
   void forget(const IsChosen& is_chosen) {
     for (auto* results : {&drawn_, &exchanged_})
       std::erase_if(*results, [&](const Result& result) { return is_chosen(result.seemed); });
   }
 
-  // Takes what the drawn pixels' loss and variance, with the samples that they
-  // had then, have turned out to be: found(p), nothing for pixels that have not
-  // gone on. `resting` pixels rest.
+  // Takes what the drawn pixels' loss and variance, with the samples that they had then, have
+  // turned out to be: found(p), nothing for pixels that have not gone on. `resting` pixels rest.
   template <class Find>  // std::optional<Found>(std::size_t)
   void evaluate(double resting, const Find& find);
 
-  // By how much the loss of all that rest is above what they believe
-  // themselves: by what was drawn, or as far as that does not speak against it
-  // by what was exchanged, which is more; at least 0. And the variance of that
-  // sum.
+  // By how much the loss of all that rest is above what they believe themselves: by what was drawn,
+  // or as far as that does not speak against it by what was exchanged, which is more; at least 0.
+  // And the variance of that sum.
   double missed_loss() const { return missed_loss_; }
   double loss_noise() const { return loss_noise_; }
   // By how much the variance of each is above what it seemed, at least 0.

@@ -26,11 +26,10 @@ class FirstLook {
   void set(std::size_t p, const Value& value) { values_[p] = value; }
   const Value& value(std::size_t p) const { return values_[p]; }
 
-  // Half of the mean square of what pixel `p`, if it had this value, and its
-  // neighbours differ by: the variance of a sample, if the pixels are alike and
-  // only noise sets them apart. An edge or a dot shows, too, and so does what
-  // is smooth but not constant; hence this says where to look first, and is no
-  // estimate by itself.
+  // Half of the mean square of what pixel `p`, if it had this value, and its neighbours differ by:
+  // the variance of a sample, if the pixels are alike and only noise sets them apart. An edge or a
+  // dot shows, too, and so does what is smooth but not constant; hence this says where to look
+  // first, and is no estimate by itself.
   double difference(std::size_t p, const Value& value) const;
   double difference(std::size_t p) const { return difference(p, values_[p]); }
 

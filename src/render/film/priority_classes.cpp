@@ -10,10 +10,9 @@ constexpr int kClassesOfOctave = 16;
 constexpr int kLowestOctave = -100, kHighestOctave = 60;
 constexpr int kClasses = (kHighestOctave - kLowestOctave) * kClassesOfOctave + 1;
 
-// How often pixels of class `k` are to have their samples doubled when those
-// above `threshold` are: until their gain for each sample, variance over
-// samples, which falls as 1/n^2, is the same for all. That is the fewest
-// samples for the least sum of variances.
+// How often pixels of class `k` are to have their samples doubled when those above `threshold` are:
+// until their gain for each sample, variance over samples, which falls as 1/n^2, is the same for
+// all. That is the fewest samples for the least sum of variances.
 int doublings(int k, int threshold) {
   return k <= threshold ? 0 : 1 + (k - threshold - 1) / (2 * kClassesOfOctave);
 }
@@ -66,8 +65,7 @@ int PriorityClasses::threshold_of_squares(double fall, double goal) const {
   return low;
 }
 
-// The pixels above are to become good, those that this costs most are among the
-// rest.
+// The pixels above are to become good, those that this costs most are among the rest.
 int PriorityClasses::threshold_of_pixels(double goal) const {
   constexpr double kShareOfRest = 0.8;
   double left = classes_[0].loss;

@@ -9,8 +9,7 @@ namespace alhazen::render {
 
 class PriorityClasses {
  public:
-  // The class of a pixel: higher for a greater `priority`, 0 for one that gains
-  // nothing.
+  // The class of a pixel: higher for a greater `priority`, 0 for one that gains nothing.
   static int of(double priority);
 
   PriorityClasses();
@@ -18,12 +17,10 @@ class PriorityClasses {
   void add(int k, double loss, double samples);
 
   double loss() const;
-  // The highest class such that the loss falls to `goal` when what is above is
-  // doubled until all gain equally; 0 if it does not fall so far. Doubling
-  // divides a loss by `fall`.
+  // The highest class such that the loss falls to `goal` when what is above is doubled until all
+  // gain equally; 0 if it does not fall so far. Doubling divides a loss by `fall`.
   int threshold_of_squares(double fall, double goal) const;
-  // The highest class such that those up to it may stay as they are, if pixels
-  // are counted.
+  // The highest class such that those up to it may stay as they are, if pixels are counted.
   int threshold_of_pixels(double goal) const;
   // The lowest class above which there are at most `pixels` pixels, or a higher
   // one if what those up to that cost is within `goal`.

@@ -14,10 +14,9 @@ namespace alhazen::render {
 inline constexpr int kSampleLevels = 21;  // a pixel has 2^level samples, at most kMaxSamples
 static_assert(kMaxSamples == 1 << (kSampleLevels - 1));
 
-// Of pixels with n = 2^level samples the new half tells V(n/4) - V(n/2), by its
-// two parts, and V(n/2) - V(n), by what it differs from the old half. Where V
-// falls by one factor each time, that is the ratio of the two sums, and then
-// V(n) follows from either.
+// Of pixels with n = 2^level samples the new half tells V(n/4) - V(n/2), by its two parts, and
+// V(n/2) - V(n), by what it differs from the old half. Where V falls by one factor each time, that
+// is the ratio of the two sums, and then V(n) follows from either.
 class VarianceFall {
  public:
   VarianceFall() { factors_.fill(kSlowest); }
