@@ -65,13 +65,24 @@ struct Sample2dOf {
 };
 using Sample2d = Sample2dOf<std::uint32_t>;
 
-// Sample `index` of the sequence named by `seed`. Seeds are to be hashes (mix_64) of what the
-// sequence is for: pixel, dimension, ray. `Seed` is std::uint64_t, `Word` std::uint32_t, or both
-// are lanes.
+// What a sequence is shuffled and scrambled by. `Seed` is std::uint64_t or lanes of it.
+template <class Seed>
+struct SequenceKeys {
+  Seed first, second;
+};
+// Of the sequence named by `seed`. Seeds are to be hashes (mix_64) of what the sequence is for:
+// pixel, dimension, ray.
+template <class Seed>
+constexpr SequenceKeys<Seed> sequence_keys(Seed seed) {
+  constexpr std::uint64_t kFirst = mix_64(1 + 0x9e3779b97f4a7c15ULL),
+                          kSecond = mix_64(2 + 0x9e3779b97f4a7c15ULL);
+  return {mixed_word(seed ^ Seed(kFirst)), mixed_word(seed ^ Seed(kSecond))};
+}
+
+// Sample `index` of a sequence. `Word` is std::uint32_t, or both are lanes.
 template <class Seed, class Word>
-constexpr Sample2dOf<Word> sample_2d_of(Seed seed, Word index) {
-  const Seed first = mixed_word(seed ^ mixed_word(Seed(1 + 0x9e3779b97f4a7c15ULL))),
-             second = mixed_word(seed ^ mixed_word(Seed(2 + 0x9e3779b97f4a7c15ULL)));
+constexpr Sample2dOf<Word> sample_2d_of(const SequenceKeys<Seed>& keys, Word index) {
+  const auto& [first, second] = keys;
   // Shuffling the index by an Owen scramble keeps prefixes of length 2^m what they are: a
   // scrambled prefix of the same length, at another place of the sequence.
   const Word shuffled = owen_scrambled(index, static_cast<Word>(first));
@@ -81,11 +92,11 @@ constexpr Sample2dOf<Word> sample_2d_of(Seed seed, Word index) {
       reversed_bits(scrambled_upward(sobol_second_upward(shuffled), static_cast<Word>(second)))};
 }
 constexpr Sample2d sample_2d(std::uint64_t seed, std::uint32_t index) {
-  return sample_2d_of(seed, index);
+  return sample_2d_of(sequence_keys(seed), index);
 }
 template <class Seed, class Word>
 requires(!std::is_arithmetic_v<Seed>) constexpr Sample2dOf<Word> sample_2d(Seed seed, Word index) {
-  return sample_2d_of(seed, index);
+  return sample_2d_of(sequence_keys(seed), index);
 }
 
 // The first dimension alone: stratified in every prefix of length 2^m.

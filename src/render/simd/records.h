@@ -94,6 +94,7 @@ class DealtLanes {
   // Lane i of the result is number from[i].
   template <class Int>
   L to(const Int& from) const {
+    if (all_same(from, typename Int::Mask(true))) return L(numbers_[from[0]]);
     return L::gather(numbers_.data(), from);
   }
 
@@ -112,9 +113,10 @@ class DealtRecords {
   }
 
   // Lane i of the result is lane from[i] of the record.
-  Record<L> to(const IntOf<L>& from) const {
+  template <class Int>
+  Record<L> to(const Int& from) const {
     std::array<L, kCount> members;
-    if (all_same(from, MaskOf<L>(true))) {
+    if (all_same(from, typename Int::Mask(true))) {
       const ScalarOf<L>* numbers = numbers_.data() + from[0];
       for (int m = 0; m < kCount; ++m)
         members[m] = L(numbers[m * kWidth]);

@@ -8,47 +8,66 @@
 
 namespace alhazen::render {
 
-// Nothing but numbers, so that lanes may each have a finish of their own (simd/records.h). What is
-// asked is answered by 1 for yes and 0 for no.
+// What a finish is made of, in parts that are asked for at different places. Nothing but numbers,
+// so that lanes may each have a finish of their own (simd/records.h). What is asked is answered by
+// 1 for yes and 0 for no.
+
+// How it answers to light.
 template <class Real>
-struct PovSurface {
-  Real filter = 0, transmit = 0, opacity = 1;
-  Rgb<Real> glow;    // ambient + emission, times opacity
+struct PovShading {
   Real diffuse = 0;  // times opacity
   Real brilliance = 1;
   Real phong = 0, phong_size = 40, specular = 0, specular_exponent = 20;
   Real metallic = 0;
-  Rgb<Real> reflect_min, reflect_max;
-  Real reflect_falloff = 1, reflect_metallic = 0;
-  Real fresnel = 0, conserves_energy = 0, fades = 0;
-  Real fade_distance = 0, fade_power = 0;
-  Rgb<Real> fade_color;
+};
+
+template <class Real>
+struct PovMirror {
+  Rgb<Real> min, max;
+  Real falloff = 1, metallic = 0;
+  Real fresnel = 0, conserves_energy = 0;
+};
+
+// What passes the surface, and whether it fades inside.
+template <class Real>
+struct PovPassage {
+  Real filter = 0, transmit = 0;
+  Real fades = 0;
+};
+
+template <class Real>
+struct PovFading {
+  Real distance = 0, power = 0;
+  Rgb<Real> color;
+};
+
+template <class Real>
+struct PovSurface {
+  Rgb<Real> glow;  // ambient + emission, times opacity
+  PovShading<Real> shading;
+  PovMirror<Real> mirror;
+  PovPassage<Real> passage;
+  PovFading<Real> fading;
 };
 
 template <class Real>
 inline PovSurface<Real> make_pov_surface(const PovFinish& m) {
+  const auto number = [](double x) { return static_cast<Real>(x); };
+  const auto answer = [](bool yes) { return static_cast<Real>(yes ? 1 : 0); };
   PovSurface<Real> s;
-  s.filter = static_cast<Real>(m.filter);
-  s.transmit = static_cast<Real>(m.transmit);
-  s.opacity = static_cast<Real>(opacity(m));
   s.glow = Rgb<Real>(opacity(m) * (m.ambient + m.emission));
-  s.diffuse = static_cast<Real>(opacity(m) * m.diffuse);
-  s.brilliance = static_cast<Real>(m.brilliance);
-  s.phong = static_cast<Real>(m.phong);
-  s.phong_size = static_cast<Real>(m.phong_size);
-  s.specular = static_cast<Real>(m.specular);
-  s.specular_exponent = static_cast<Real>(1 / m.roughness);
-  s.metallic = static_cast<Real>(m.metallic);
-  s.reflect_min = Rgb<Real>(m.reflection.min);
-  s.reflect_max = Rgb<Real>(m.reflection.max);
-  s.reflect_falloff = static_cast<Real>(m.reflection.falloff);
-  s.reflect_metallic = static_cast<Real>(m.reflection.metallic);
-  s.fresnel = static_cast<Real>(m.reflection.fresnel ? 1 : 0);
-  s.conserves_energy = static_cast<Real>(m.conserve_energy ? 1 : 0);
-  s.fades = static_cast<Real>(fades(m) ? 1 : 0);
-  s.fade_distance = static_cast<Real>(m.fade_distance);
-  s.fade_power = static_cast<Real>(m.fade_power);
-  s.fade_color = Rgb<Real>(m.fade_color);
+  s.shading = {number(opacity(m) * m.diffuse),
+               number(m.brilliance),
+               number(m.phong),
+               number(m.phong_size),
+               number(m.specular),
+               number(1 / m.roughness),
+               number(m.metallic)};
+  s.mirror = {Rgb<Real>(m.reflection.min),  Rgb<Real>(m.reflection.max),
+              number(m.reflection.falloff), number(m.reflection.metallic),
+              answer(m.reflection.fresnel), answer(m.conserve_energy)};
+  s.passage = {number(m.filter), number(m.transmit), answer(fades(m))};
+  s.fading = {number(m.fade_distance), number(m.fade_power), Rgb<Real>(m.fade_color)};
   return s;
 }
 
@@ -69,7 +88,7 @@ inline Rgb<Real> pov_metal_tint(Real metallic, Rgb<Real> color, Real cosine) {
 // What both highlights add to light 1. All directions are of unit length and point away from the
 // surface, `normal` on the viewer's side and the light's.
 template <class Real>
-inline Rgb<Real> pov_highlights(const PovSurface<Real>& s, Rgb<Real> color, Vec3<Real> normal,
+inline Rgb<Real> pov_highlights(const PovShading<Real>& s, Rgb<Real> color, Vec3<Real> normal,
                                 Vec3<Real> to_view, Vec3<Real> to_light) {
   const Real cos_light = dot(normal, to_light);
   Real sum = 0;
@@ -103,20 +122,19 @@ inline Real power_unless_one(Real base, Real exponent) {
 
 // What the matt part adds to light 1 at the cosine > 0: the cosine is part of it.
 template <class Real>
-inline Rgb<Real> pov_diffuse(const PovSurface<Real>& s, Rgb<Real> color, Real cosine) {
+inline Rgb<Real> pov_diffuse(const PovShading<Real>& s, Rgb<Real> color, Real cosine) {
   return (s.diffuse * power_unless_one(cosine, s.brilliance)) * color;
 }
 
 // The reflectance for a view at `cosine` in [0, 1]; `fresnel` is Fresnel's at that angle, asked for
 // by `s.fresnel` only.
 template <class Real>
-inline Rgb<Real> pov_reflectance(const PovSurface<Real>& s, Rgb<Real> color, Real cosine,
+inline Rgb<Real> pov_reflectance(const PovMirror<Real>& s, Rgb<Real> color, Real cosine,
                                  Real fresnel) {
   const MaskOf<Real> by_fresnel = s.fresnel != Real(0);
-  const Real by_angle = all(by_fresnel) ? Real(0) : power_unless_one(1 - cosine, s.reflect_falloff);
+  const Real by_angle = all(by_fresnel) ? Real(0) : power_unless_one(1 - cosine, s.falloff);
   const Real k = select(by_fresnel, fresnel, by_angle);
-  return (s.reflect_min + k * (s.reflect_max - s.reflect_min)) *
-         pov_metal_tint(s.reflect_metallic, color, cosine);
+  return (s.min + k * (s.max - s.min)) * pov_metal_tint(s.metallic, color, cosine);
 }
 
 // What `conserve_energy` leaves for what passes.
@@ -128,16 +146,16 @@ inline Rgb<Real> pov_rest(Rgb<Real> reflectance) {
 
 // What a surface lets through, whatever the angle.
 template <class Real>
-inline Rgb<Real> pov_passed(const PovSurface<Real>& s, Rgb<Real> color) {
+inline Rgb<Real> pov_passed(const PovPassage<Real>& s, Rgb<Real> color) {
   return s.filter * color + Rgb<Real>(s.transmit);
 }
 
 // What is left after `distance` inside.
 template <class Real>
-inline Rgb<Real> pov_fade(const PovSurface<Real>& s, Real distance) {
-  const Real depth = distance / s.fade_distance;
-  const MaskOf<Real> is_exponential = s.fade_power >= Real(1000);
-  const Real half_life = all(is_exponential) ? Real(0) : 1 + power(depth, s.fade_power);
+inline Rgb<Real> pov_fade(const PovFading<Real>& s, Real distance) {
+  const Real depth = distance / s.distance;
+  const MaskOf<Real> is_exponential = s.power >= Real(1000);
+  const Real half_life = all(is_exponential) ? Real(0) : 1 + power(depth, s.power);
   const auto channel = [&](Real c) {
     const MaskOf<Real> is_lossless = c == Real(1);
     Real left = c + (1 - c) / half_life;
@@ -145,7 +163,7 @@ inline Rgb<Real> pov_fade(const PovSurface<Real>& s, Real distance) {
       left = select(is_exponential, exp_of((c - 1) * depth), left);
     return select(is_lossless, Real(1), left);
   };
-  return {channel(s.fade_color.r), channel(s.fade_color.g), channel(s.fade_color.b)};
+  return {channel(s.color.r), channel(s.color.g), channel(s.color.b)};
 }
 
 }  // namespace alhazen::render

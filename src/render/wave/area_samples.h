@@ -3,24 +3,32 @@
 
 #include "core/math/random.h"
 #include "render/simd/records.h"
+#include "render/wave/camera_samples.h"
 #include "render/wave/entries.h"
-#include "render/wave/stage_camera.h"
 #include "render/wave/wave.h"
 
 namespace alhazen::render {
 
 // The samples of one light at one branch of a pixel's ray trees are one sequence, through all
 // camera samples of the pixel: together they are spread over the light as evenly as the samples of
-// one. Those at a hit are the numbers from `first` on.
+// one. Those at a hit are the numbers from `first` on. `Word` is std::uint64_t or lanes of it.
+template <class Word>
 struct AreaSequence {
-  std::uint64_t seed;
-  std::uint32_t first;
+  SequenceKeys<Word> keys;
+  Word first;
 };
+template <class Placed, class Word>
+AreaSequence<Word> area_sequence(const Placed& light, Word path, Word sample) {
+  const auto samples = static_cast<std::uint64_t>(light.kernel.samples);
+  return {sequence_keys(mix_64(path, Word(kFirstLightDimension + light.id))),
+          sample * Word(samples)};
+}
 template <class Real, class Placed>
-AreaSequence area_sequence(const Wave<Real>& wave, const Placed& light, std::size_t h) {
+AreaSequence<std::uint64_t> area_sequence_at(const Wave<Real>& wave, const Placed& light,
+                                             std::size_t h) {
   const std::size_t i = wave.hits.ray_of(h);
-  return {mix_64(wave.rays.path[i], kFirstLightDimension + light.id),
-          wave.slots.sample[wave.rays.slot[i]] * static_cast<std::uint32_t>(light.kernel.samples)};
+  return area_sequence(light, wave.rays.path[i],
+                       std::uint64_t{wave.slots.sample[wave.rays.slot[i]]});
 }
 
 // Deals the samples at W hits to lanes: sample after sample at one hit, then those at the next.
@@ -28,12 +36,16 @@ AreaSequence area_sequence(const Wave<Real>& wave, const Placed& light, std::siz
 template <class L>
 class AreaDealer {
  public:
+  using Int = IntOf<L>;
+  using Words = Lanes<std::uint64_t, L::kWidth>;
+
   template <class Placed>
   AreaDealer(const Wave<ScalarOf<L>>& wave, const Placed& light, const Entries<L>& hits)
-      : hits_(count(hits.active())), samples_(light.kernel.samples) {
-    for (int k = 0; k < hits_; ++k)
-      sequences_[k] = area_sequence(wave, light, hits[k]);
-  }
+      : hits_(count(hits.active())),
+        samples_(static_cast<ScalarOf<Int>>(light.kernel.samples)),
+        sequences_(sequences_at(wave, light, hits)),
+        next_from_(per_lane<Int>(true, 0, [&](int k) { return k / samples_; })),
+        next_sample_(Int::iota() - next_from_ * Int(samples_)) {}
 
   // One sample a hit: every lane keeps its own.
   bool keeps_lanes() const { return samples_ == 1; }
@@ -41,40 +53,43 @@ class AreaDealer {
   // Afterwards the active() lanes have sample (u(), v()) at the hit that stood in lane from().
   // False if there are none left.
   bool deal() {
-    if (hit_ == hits_) return false;
-    std::array<std::uint64_t, kWidth> seeds{};
-    std::array<std::uint32_t, kWidth> numbers{};
-    std::array<ScalarOf<IntOf<L>>, kWidth> from{};
-    int lanes = 0;
-    for (; lanes < L::kWidth && hit_ < hits_; ++lanes) {
-      from[lanes] = hit_;
-      seeds[lanes] = sequences_[hit_].seed;
-      numbers[lanes] = sequences_[hit_].first + static_cast<std::uint32_t>(sample_);
-      if (++sample_ < samples_) continue;
-      sample_ = 0;
-      ++hit_;
-    }
-    active_ = MaskOf<L>::first(lanes);
-    from_ = IntOf<L>::load(from.data());
-    const auto bits = sample_2d(Lanes<std::uint64_t, L::kWidth>::load(seeds.data()),
-                                Lanes<std::uint32_t, L::kWidth>::load(numbers.data()));
+    active_ = next_from_ < Int(hits_);
+    if (!any(active_)) return false;
+    from_ = select(active_, next_from_, Int(0));
+    const AreaSequence<Words> own = sequences_.to(from_);
+    const auto bits = sample_2d_of(own.keys, Numbers32(own.first) + Numbers32(next_sample_));
     u_ = unit_real<L>(bits.x);
     v_ = unit_real<L>(bits.y);
+    next_from_ = next_from_ + Int(L::kWidth / samples_);
+    next_sample_ = next_sample_ + Int(L::kWidth % samples_);
+    const MaskOf<L> over = next_sample_ >= Int(samples_);
+    next_from_ = select(over, next_from_ + Int(1), next_from_);
+    next_sample_ = select(over, next_sample_ - Int(samples_), next_sample_);
     return true;
   }
 
   const MaskOf<L>& active() const { return active_; }
-  const IntOf<L>& from() const { return from_; }
+  const Int& from() const { return from_; }
   const L& u() const { return u_; }
   const L& v() const { return v_; }
 
  private:
-  static constexpr auto kWidth = static_cast<std::size_t>(L::kWidth);
+  using Numbers32 = Lanes<std::uint32_t, L::kWidth>;
 
-  int hits_, samples_, hit_ = 0, sample_ = 0;
-  std::array<AreaSequence, kWidth> sequences_{};
+  template <class Placed>
+  static AreaSequence<Words> sequences_at(const Wave<ScalarOf<L>>& wave, const Placed& light,
+                                          const Entries<L>& hits) {
+    const Entries<L> rays(hits.of(wave.hits.ray), hits.active());
+    const Entries<L> slots(rays.of(wave.rays.slot), hits.active());
+    return area_sequence(light, rays.of(wave.rays.path), Words(slots.of(wave.slots.sample)));
+  }
+
+  ScalarOf<Int> hits_, samples_;
+  DealtRecords<Words, AreaSequence> sequences_;
+  // Of each lane the hit that it gets next, by its place, and the sample there.
+  Int next_from_, next_sample_;
   MaskOf<L> active_ = false;
-  IntOf<L> from_ = 0;
+  Int from_ = 0;
   L u_, v_;
 };
 

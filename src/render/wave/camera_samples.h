@@ -1,4 +1,4 @@
-// render/wave: the stages that start a batch: camera rays, and the solids that they start in.
+// render/wave: what names the samples of a pixel, and how their rays are queued.
 #pragma once
 
 #include "core/math/random.h"
@@ -11,30 +11,27 @@ namespace alhazen::render {
 inline constexpr std::uint64_t kFilterDimension = 16, kLensDimension = 17;
 inline constexpr std::uint64_t kFirstLightDimension = 32;
 
-inline std::uint64_t pixel_seed(std::uint64_t seed, std::int32_t x, std::int32_t y) {
-  return mix_64(mix_64(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
+// The seed of everything that is random in a pixel; `Word` is std::uint64_t or lanes of it.
+template <class Word>
+Word pixel_seed(Word seed, Word x, Word y) {
+  constexpr std::uint64_t kLow = 0xffffffff;  // coordinates are of 32 bits
+  return mix_64(mix_64(seed, x & kLow), y & kLow);
 }
-// Of the pixel that a slot's sample is of.
-template <class Real>
-std::uint64_t path_of(const Wave<Real>& wave, std::size_t slot) {
-  return pixel_seed(wave.world.seed, static_cast<std::int32_t>(wave.slots.x[slot]),
-                    static_cast<std::int32_t>(wave.slots.y[slot]));
+// Of the pixels that the samples of several slots are of.
+template <class L>
+Lanes<std::uint64_t, L::kWidth> paths_of(const Wave<ScalarOf<L>>& wave, const Entries<L>& slots) {
+  using Words = Lanes<std::uint64_t, L::kWidth>;
+  return pixel_seed(Words(wave.world.seed), Words(slots.of(wave.slots.x)),
+                    Words(slots.of(wave.slots.y)));
 }
 
-// Puts each sample where the reconstruction filter wants it. Without this stage it stays in the
-// centre of its pixel.
-template <class Real>
-void place_by_filter(Wave<Real>& wave) {
-  Slots<Real>& slots = wave.slots;
-  for (std::size_t s = 0; s < slots.size(); ++s) {
-    const std::uint64_t path = path_of(wave, s);
-    const Sample2d bits = sample_2d(mix_64(path, kFilterDimension), slots.sample[s]);
-    const FilterSample place =
-        wave.world.filter.sample(unit_real<double>(bits.x), unit_real<double>(bits.y));
-    slots.offset_x[s] = static_cast<Real>(place.x);
-    slots.offset_y[s] = static_cast<Real>(place.y);
-    slots.negative[s] = place.negative ? 1 : 0;
-  }
+// Of each slot's sample the point that is for `dimension`.
+template <class L>
+Sample2dOf<Lanes<std::uint32_t, L::kWidth>> samples_of(const Wave<ScalarOf<L>>& wave,
+                                                       const Entries<L>& slots,
+                                                       std::uint64_t dimension) {
+  using Words = Lanes<std::uint64_t, L::kWidth>;
+  return sample_2d(mix_64(paths_of<L>(wave, slots), Words(dimension)), slots.of(wave.slots.sample));
 }
 
 // Queues the rays that `make_ray` gives for the film points of several slots at once: ray s is that
@@ -43,6 +40,7 @@ template <class Real, class MakeRay>
 void push_camera_rays(Wave<Real>& wave, const MakeRay& make_ray) {
   using L = Wide<Real>;
   Slots<Real>& slots = wave.slots;
+  const bool names_paths = wave.names_paths();
   for_lanes<L>(slots.size(), [&](const Entries<L>& at) {
     const FilmPoint<L> film{at.of(slots.x), at.of(slots.y), at.of(slots.offset_x),
                             at.of(slots.offset_y)};
@@ -59,49 +57,9 @@ void push_camera_rays(Wave<Real>& wave, const MakeRay& make_ray) {
     IntOf<L>(kVacuum).store(rays.medium.data() + first);
     IntOf<L>(0).store(rays.depth.data() + first);
     std::fill_n(rays.passed.data() + first, rays.size() - first, 0);
+    if (names_paths) paths_of<L>(wave, at).store(rays.path.data() + first);
   });
-  if (wave.names_paths()) {
-    for (std::size_t s = 0; s < slots.size(); ++s)
-      wave.rays.path[s] = path_of(wave, s);
-  }
   std::fill(slots.rays.begin(), slots.rays.end(), 1);
-}
-
-template <class Real>
-void start_camera_rays(Wave<Real>& wave) {
-  using L = Wide<Real>;
-  push_camera_rays(wave, [&](const FilmPoint<L>& film, const Entries<L>&) {
-    return wave.world.camera.template ray<L>(film, L(0), L(0));
-  });
-}
-
-template <class Real>
-void start_lens_rays(Wave<Real>& wave) {
-  using L = Wide<Real>;
-  const Slots<Real>& slots = wave.slots;
-  push_camera_rays(wave, [&](const FilmPoint<L>& film, const Entries<L>& at) {
-    Real u[L::kWidth] = {}, v[L::kWidth] = {};
-    for_each_lane(at.active(), [&](int k) {
-      const std::size_t s = at[k];
-      const std::uint64_t path = path_of(wave, s);
-      const Sample2d lens = sample_2d(mix_64(path, kLensDimension), slots.sample[s]);
-      u[k] = unit_real<Real>(lens.x);
-      v[k] = unit_real<Real>(lens.y);
-    });
-    return wave.world.camera.template ray<L>(film, L::load(u), L::load(v));
-  });
-}
-
-// Solids that hold a ray's origin count as entered in the order of the scene: of those of equal
-// priority the one written last is there.
-template <class Real>
-void find_camera_media(Wave<Real>& wave) {
-  for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-    for (const ShapeId solid : wave.world.solids) {
-      if (!wave.world.shapes.contains(solid, wave.rays.origin[i])) continue;
-      wave.rays.medium[i] = wave.media.enter(wave.rays.medium[i], wave.world.material_of[solid]);
-    }
-  }
 }
 
 }  // namespace alhazen::render

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "render/simd/elementary.h"
+#include "render/simd/records.h"
 #include "render/simd/wide.h"
 #include "render/wave/column.h"
 
@@ -41,6 +42,15 @@ class Entries {
 
   L of(const Column<Real>& column) const { return numbers<L>(column); }
   Int of(const Column<LaneInt<Real>>& column) const { return numbers<Int>(column); }
+  // Words of other widths than a Real's.
+  Lanes<std::uint64_t, L::kWidth> of(const Column<std::uint64_t>& column) const {
+    return numbers<Lanes<std::uint64_t, L::kWidth>>(column);
+  }
+  Lanes<std::uint32_t, L::kWidth> of(const Column<std::uint32_t>& column) const {
+    using Words = Lanes<std::uint32_t, L::kWidth>;
+    if (in_row_ || is_one_) return numbers<Words>(column);
+    return Words(gathered_words<L>(column.data(), index_, active_));
+  }
   Vec3<L> of(const Vec3Column<Real>& column) const {
     return {of(column.x), of(column.y), of(column.z)};
   }
@@ -86,7 +96,7 @@ class Entries {
   Numbers numbers(const Column<T>& column) const {
     if (in_row_) return Numbers::load(column.data() + first_);
     if (is_one_) return Numbers(column[first_]);
-    return Numbers::gather(column.data(), index_, active_);
+    return Numbers::gather(column.data(), index_, typename Numbers::Mask(active_));
   }
 
   Int index_;

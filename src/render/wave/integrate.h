@@ -10,6 +10,7 @@
 #include "render/wave/stage_table.h"
 #include "render/wave/stopwatch.h"
 #include "render/wave/waiting_rays.h"
+#include "render/wave/wave.h"
 
 namespace alhazen::render {
 

@@ -1,9 +1,7 @@
-// render/wave: light that shines on surfaces that scatter it: each kind of light on each kind of
-// surface. Nothing is traced here; what would arrive goes to the queue that the shadow stages work
-// off.
+// render/wave: light that shines on surfaces that scatter it: how each kind of surface answers.
+// Nothing is traced here; what would arrive goes to the queue that the shadow stages work off.
 #pragma once
 
-#include "render/wave/area_samples.h"
 #include "render/wave/meeting.h"
 
 namespace alhazen::render {
@@ -82,30 +80,17 @@ template <class L>
 struct PovResponse {
   static constexpr SurfaceKind kKind = SurfaceKind::pov;
   static Rgb<L> scattered(const LitSurfaces<L>& surface, const Illumination<L>& at) {
-    const PovSurface<L> pov = surface.records(&MaterialRecord<ScalarOf<L>>::pov);
-    Rgb<L> answer = pov_diffuse(pov, surface.color, at.cosine);
+    const PovShading<L> shading = surface.records(&MaterialRecord<ScalarOf<L>>::pov_shading);
+    Rgb<L> answer = pov_diffuse(shading, surface.color, at.cosine);
     if (at.casts_shadows) {
-      answer += pov_highlights(pov, surface.color, at.normal, at.to_view, at.light.direction);
+      answer += pov_highlights(shading, surface.color, at.normal, at.to_view, at.light.direction);
     }
     return at.light.weight * answer;
   }
   static Rgb<L> even_sky(const LitSurfaces<L>& surface, const L&) {
-    return surface.records(&MaterialRecord<ScalarOf<L>>::pov).diffuse * surface.color;
+    return surface.records(&MaterialRecord<ScalarOf<L>>::pov_shading).diffuse * surface.color;
   }
 };
-
-template <class Real, template <class> class Response>
-void add_ambient(Wave<Real>& wave) {
-  using L = Wide<Real>;
-  for_lanes<L>(wave.of(Response<L>::kKind), [&](const Entries<L>& hits) {
-    const Entries<L> rays(hits.of(wave.hits.ray), hits.active());
-    const L cos_view = -dot(rays.of(wave.rays.direction), hits.of(wave.hits.shading_normal));
-    const MaskOf<L> seen = hits.active() && cos_view > L(0);
-    if (!any(seen)) return;
-    const Rgb<L> answer = Response<L>::even_sky(LitSurfaces<L>(wave, hits, seen), cos_view);
-    wave.add(rays, seen, Rgb<L>(wave.world.lights.ambient) * answer);
-  });
-}
 
 // Queues what samples of a light add at several hits, where both the surface and its shading normal
 // face it.
@@ -137,57 +122,6 @@ void shine(Wave<Real>& wave, const Placed& light, const Sample& sample) {
   for_lanes<L>(wave.of(Response<L>::kKind), [&](const Entries<L>& hits) {
     queue_light<Real, Response>(wave, hits, sample(hits), light);
   });
-}
-
-template <class Real, template <class> class Response>
-void shine_points(Wave<Real>& wave) {
-  using L = Wide<Real>;
-  for (const auto& light : wave.world.lights.points) {
-    shine<Real, Response>(wave, light, [&](const Entries<L>& hits) {
-      return light.kernel.template sample<L>(hits.of(wave.hits.position));
-    });
-  }
-}
-
-template <class Real, template <class> class Response>
-void shine_directionals(Wave<Real>& wave) {
-  using L = Wide<Real>;
-  for (const auto& light : wave.world.lights.directionals) {
-    shine<Real, Response>(wave, light,
-                          [&](const Entries<L>&) { return light.kernel.template sample<L>(); });
-  }
-}
-
-template <class Real, template <class> class Response>
-void shine_spots(Wave<Real>& wave) {
-  using L = Wide<Real>;
-  for (const auto& light : wave.world.lights.spots) {
-    shine<Real, Response>(wave, light, [&](const Entries<L>& hits) {
-      return light.kernel.template sample<L>(hits.of(wave.hits.position));
-    });
-  }
-}
-
-template <class Real, template <class> class Response, template <class> class View, class Placed>
-void shine_area(Wave<Real>& wave, const Placed& light) {
-  using L = Wide<Real>;
-  for_lanes<L>(wave.of(Response<L>::kKind), [&](const Entries<L>& hits) {
-    visit_area<View>(wave, light, hits, [&](const Entries<L>& dealt, const LightSample<L>& sample) {
-      queue_light<Real, Response>(wave, dealt, sample, light);
-    });
-  });
-}
-
-template <class Real, template <class> class Response>
-void shine_spheres(Wave<Real>& wave) {
-  for (const auto& light : wave.world.lights.spheres)
-    shine_area<Real, Response, SphereLightView>(wave, light);
-}
-
-template <class Real, template <class> class Response>
-void shine_rectangles(Wave<Real>& wave) {
-  for (const auto& light : wave.world.lights.rectangles)
-    shine_area<Real, Response, RectangleLightView>(wave, light);
 }
 
 }  // namespace alhazen::render

@@ -43,7 +43,12 @@ struct MaterialRecord : MaterialRoute {
   Rgb<Real> conductor_n, conductor_k;
   Real ior = 1;          // of the inside of glass and of a pov_finish
   Rgb<Real> absorption;  // of glass, per length
-  PovSurface<Real> pov;
+  // Of a pov_finish.
+  Rgb<Real> pov_glow;
+  PovShading<Real> pov_shading;
+  PovMirror<Real> pov_mirror;
+  PovPassage<Real> pov_passage;
+  PovFading<Real> pov_fading;
 };
 
 template <class Real>
@@ -143,7 +148,12 @@ class MaterialTable {
     record.kind = SurfaceKind::pov;
     record.color = m.color;
     record.ior = static_cast<Real>(m.ior);
-    record.pov = make_pov_surface<Real>(m);
+    const PovSurface<Real> surface = make_pov_surface<Real>(m);
+    record.pov_glow = surface.glow;
+    record.pov_shading = surface.shading;
+    record.pov_mirror = surface.mirror;
+    record.pov_passage = surface.passage;
+    record.pov_fading = surface.fading;
     record.pov_glows = glows(m, around.solid);
     record.pov_reflects = reflects(m, around);
     record.pov_clear = lets_light_through(m, around.solid);

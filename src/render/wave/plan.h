@@ -26,7 +26,7 @@ struct StageInfo {
   std::string_view keeps;  // the buffers that exist because of it
 };
 inline constexpr StageInfo kStageInfo[] = {
-#define ALHAZEN_STAGE(name, phase, text, keeps, ...) {#name, Phase::phase, text, keeps},
+#define ALHAZEN_STAGE(name, phase, file, text, keeps, ...) {#name, Phase::phase, text, keeps},
 #include "render/wave/stage.def"
 #undef ALHAZEN_STAGE
 };
@@ -40,8 +40,8 @@ template <class Has>
 constexpr bool is_called(StageId stage, const Has& has) {
   using enum Effect;
   switch (stage) {
-#define ALHAZEN_STAGE(name, phase, text, keeps, effects, ...) \
-  case StageId::name:                                         \
+#define ALHAZEN_STAGE(name, phase, file, text, keeps, effects, ...) \
+  case StageId::name:                                               \
     return effects;
 #include "render/wave/stage.def"
 #undef ALHAZEN_STAGE

@@ -19,7 +19,7 @@ struct SlotWants {
 template <class Real>
 struct Slots {
   Column<LaneInt<Real>> x, y;          // the pixel, in the frame
-  std::vector<std::uint32_t> sample;   // its number within the pixel
+  Column<std::uint32_t> sample;        // its number within the pixel
   Column<Real> offset_x, offset_y;     // of its ray from the pixel's centre, in pixels
   std::vector<std::uint8_t> negative;  // whether the reconstruction filter is, at that place
   std::vector<Rgb<Real>> radiance;
@@ -31,11 +31,12 @@ struct Slots {
   std::vector<std::uint64_t> signature;
   std::vector<Real> margin;
 
-  std::size_t size() const { return sample.size(); }
+  std::size_t size() const { return size_; }
   void resize(std::size_t count, const SlotWants& wants) {
     x.make_room(count);
     y.make_room(count);
-    sample.resize(count);
+    sample.make_room(count);
+    size_ = count;
     offset_x.make_room(count);
     offset_y.make_room(count);
     std::fill_n(offset_x.data(), count, Real(0));
@@ -51,6 +52,9 @@ struct Slots {
     signature.assign(wants.signature ? count : 0, 0);
     margin.assign(wants.margin ? count : 0, Real(1));
   }
+
+ private:
+  std::size_t size_ = 0;
 };
 
 }  // namespace alhazen::render

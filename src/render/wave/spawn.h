@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/hash.h"
 #include "render/wave/meeting.h"
 
 namespace alhazen::render {

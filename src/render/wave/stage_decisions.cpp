@@ -1,12 +1,10 @@
 // render/wave: signatures and margins of what the rays of a generation decided (AovRequest in
 // render.h). These stages look at decisions again that others have taken; they run only where one
 // of the two channels was asked for, and then nothing else changes.
-#pragma once
-
+#include "render/wave/area_samples.h"
 #include "render/wave/margin.h"
-#include "render/wave/stage_light.h"
-#include "render/wave/stage_pov.h"
-#include "render/wave/stage_shadow.h"
+#include "render/wave/passage.h"
+#include "render/wave/stage_home.h"
 
 namespace alhazen::render {
 
@@ -67,7 +65,7 @@ void weigh_hits(Wave<Real>& wave) {
   }
 }
 
-// One sample of a light at one hit, as the stages of stage_light.h see it.
+// One sample of a light at one hit, as the stages of lights see it (lit_surfaces.h).
 template <class Real>
 struct LightQuestion {
   std::size_t hit;
@@ -83,9 +81,9 @@ void visit_area_one_by_one(const Wave<Real>& wave, const typename Wave<Real>::Li
                            const Placed& light, const Visitor& visit) {
   for (const std::size_t h : hits) {
     const View<Real> view(light.kernel, wave.hits.position[h]);
-    const AreaSequence of_hit = area_sequence(wave, light, h);
+    const auto of_hit = area_sequence_at(wave, light, h);
     for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(light.kernel.samples); ++k) {
-      const Sample2d bits = sample_2d(of_hit.seed, of_hit.first + k);
+      const Sample2d bits = sample_2d_of(of_hit.keys, static_cast<std::uint32_t>(of_hit.first + k));
       visit(h, view.sample(unit_real<Real>(bits.x), unit_real<Real>(bits.y)), k);
     }
   }
@@ -176,5 +174,7 @@ void weigh_lights(Wave<Real>& wave) {
     wave.weigh(slot, margin_of_shadow(wave.world, ray, source, q.sample.distance, q.lamp, arrives));
   });
 }
+
+template struct StagesOf<StageHome::decisions>;
 
 }  // namespace alhazen::render

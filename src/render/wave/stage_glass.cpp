@@ -1,22 +1,10 @@
-// render/wave: reflection and refraction at the interfaces of dielectrics. Surfaces that are no
-// interface have been passed already, when hits were found (stage_hits.h).
-#pragma once
-
-#include <array>
-
+// render/wave: the stage of reflection and refraction at the interfaces of dielectrics. Surfaces
+// that are no interface have been passed already, when hits were found (stage_interfaces.cpp).
+#include "render/wave/onward.h"
 #include "render/wave/passage.h"
-#include "render/wave/stage_reflect.h"
+#include "render/wave/stage_home.h"
 
 namespace alhazen::render {
-
-// Where rays go on that cross a surface. Smooth normals can bend a ray back; then it goes straight
-// on.
-template <class L>
-Vec3<L> crossing_direction(const Meeting<L>& met, L eta, const DielectricInterface<L>& interface) {
-  const Vec3<L> onward = refracted(met.incident, met.shading_normal, eta, interface);
-  const MaskOf<L> crosses = (dot(onward, met.geometric_normal) < L(0)) == met.enters;
-  return select(crosses, onward, met.incident);
-}
 
 template <class Real>
 void refract_in_glass(Wave<Real>& wave) {
@@ -36,5 +24,7 @@ void refract_in_glass(Wave<Real>& wave) {
                 {reflection(wave, met, hits.active(), Rgb<L>(interface.reflectance)), passing});
   });
 }
+
+template struct StagesOf<StageHome::glass>;
 
 }  // namespace alhazen::render

@@ -1,9 +1,9 @@
 // render/wave: what POV-Ray's finishes do besides answering to lights: they glow by themselves,
 // reflect, and let light through (docs/pov_ray.md).
-#pragma once
-
 #include "render/surface/pov_finish.h"
-#include "render/wave/stage_glass.h"
+#include "render/wave/onward.h"
+#include "render/wave/passage.h"
+#include "render/wave/stage_home.h"
 
 namespace alhazen::render {
 
@@ -11,25 +11,26 @@ template <class Real>
 void add_pov_glow(Wave<Real>& wave) {
   using L = Wide<Real>;
   for_lanes<L>(wave.pov_glowing, [&](const Entries<L>& hits) {
-    const PovSurface<L> surface = wave.world.materials.template records_of<L>(
-        &MaterialRecord<Real>::pov, hits.of(wave.hits.material), hits.active());
+    const Rgb<L> glow = wave.world.materials.template records_of<L>(
+        &MaterialRecord<Real>::pov_glow, hits.of(wave.hits.material), hits.active());
     const Entries<L> rays(hits.of(wave.hits.ray), hits.active());
-    wave.add(rays, hits.active(), hits.of(wave.hits.color) * surface.glow);
+    wave.add(rays, hits.active(), hits.of(wave.hits.color) * glow);
   });
 }
 
 // Hits on finishes that reflect or are clear.
 template <class L>
 struct PovHits {
+  IntOf<L> material;
   IntOf<L> behind;  // the lists of media beyond the surfaces
-  PovSurface<L> surface;
+  PovPassage<L> passage;
   DielectricInterface<L> interface;
   L eta;
   Rgb<L> reflected;    // the part that is
   Rgb<L> transmitted;  // the part that is, if there is no total reflection
   // Total reflection takes the place of the other, but only where light would pass: POV-Ray does
   // not look for it where `conserve_energy` has left nothing.
-  MaskOf<L> reflects_totally;
+  MaskOf<L> reflects_totally = false;
 };
 
 // Against the surfaces' outward normals. An opaque surface that is met from behind, by a ray that
@@ -37,15 +38,13 @@ struct PovHits {
 // the outside.
 template <class Real, class L>
 MaskOf<L> pov_enters(const Wave<Real>& wave, const Meeting<L>& met, const IntOf<L>& medium,
-                     const IntOf<L>& material) {
-  const IntOf<L> way = wave.world.materials.template ways_of<L>(material, met.hits.active());
+                     const IntOf<L>& material, MaskOf<L> is_opaque) {
   std::uint32_t backs = 0;
-  for_each_lane(met.hits.active() && !met.enters && way == IntOf<L>(static_cast<int>(Way::ends)),
-                [&](int k) {
-                  const bool inside = wave.media.contains(static_cast<MediumId>(medium[k]),
-                                                          static_cast<MaterialId>(material[k]));
-                  backs |= (inside ? 0U : 1U) << k;
-                });
+  for_each_lane(is_opaque && !met.enters, [&](int k) {
+    const bool inside =
+        wave.media.contains(static_cast<MediumId>(medium[k]), static_cast<MaterialId>(material[k]));
+    backs |= (inside ? 0U : 1U) << k;
+  });
   return met.enters || MaskOf<L>::from_bits(backs);
 }
 
@@ -64,24 +63,35 @@ PovHits<L> find_pov_hits(Wave<Real>& wave, const Meeting<L>& met) {
   const MaskOf<L> active = met.hits.active();
   const IntOf<L> medium = met.rays.of(wave.rays.medium), material = met.hits.of(wave.hits.material);
   const auto& materials = wave.world.materials;
-  found.surface = materials.template records_of<L>(&MaterialRecord<Real>::pov, material, active);
-  const MaskOf<L> enters = pov_enters(wave, met, medium, material);
+  found.material = material;
+  const PovMirror<L> mirror =
+      materials.template records_of<L>(&MaterialRecord<Real>::pov_mirror, material, active);
+  const L cosine = incident_cosine(met);
+  const Rgb<L> color = met.hits.of(wave.hits.color);
+  const IntOf<L> way = materials.template ways_of<L>(material, active);
+  const MaskOf<L> is_opaque = active && way == IntOf<L>(static_cast<int>(Way::ends));
+  const MaskOf<L> by_fresnel = active && mirror.fresnel != L(0);
+  if (all(is_opaque || !active) && !any(by_fresnel)) {  // what is behind does not matter
+    found.reflected = pov_reflectance(mirror, color, cosine, L(0));
+    return found;
+  }
+  const MaskOf<L> enters = pov_enters(wave, met, medium, material, is_opaque);
   const PassageLanes<L> passage =
       cross_shapes<L>(wave, medium, met.hits.of(wave.hits.hit.shape), material, enters, active);
   found.behind = passage.behind;
   found.eta = passage.ior_here / passage.ior_behind;
-  const L cosine = incident_cosine(met);
-  const Rgb<L> color = met.hits.of(wave.hits.color);
   found.interface = dielectric_interface(cosine, found.eta);
   L fresnel = 0;
-  if (any(active && found.surface.fresnel != L(0))) {
+  if (any(by_fresnel)) {
     const L own = materials.template numbers_of<L>(&MaterialRecord<Real>::ior, material, active);
     fresnel = dielectric_interface(cosine, pov_fresnel_eta(passage, own, enters)).reflectance;
   }
-  found.reflected = pov_reflectance(found.surface, color, cosine, fresnel);
-  const Rgb<L> passed = pov_passed(found.surface, color);
+  found.reflected = pov_reflectance(mirror, color, cosine, fresnel);
+  found.passage =
+      materials.template records_of<L>(&MaterialRecord<Real>::pov_passage, material, active);
+  const Rgb<L> passed = pov_passed(found.passage, color);
   found.transmitted =
-      select(found.surface.conserves_energy != L(0), passed * pov_rest(found.reflected), passed);
+      select(mirror.conserves_energy != L(0), passed * pov_rest(found.reflected), passed);
   found.reflects_totally = found.interface.total_reflection && !is_black(found.transmitted);
   return found;
 }
@@ -106,10 +116,12 @@ void transmit_as_pov(Wave<Real>& wave) {
   for_lanes<L>(wave.pov_clear, [&](const Entries<L>& hits) {
     const Meeting<L> met(wave, hits);
     const PovHits<L> found = find_pov_hits(wave, met);
-    const MaskOf<L> leaves = hits.active() && found.surface.fades != L(0) && !met.enters;
+    const MaskOf<L> leaves = hits.active() && found.passage.fades != L(0) && !met.enters;
     Rgb<L> left(L(1));
     if (any(leaves)) {
-      left = select(leaves, pov_fade(found.surface, hits.of(wave.hits.hit.t)), left);
+      const PovFading<L> fading = wave.world.materials.template records_of<L>(
+          &MaterialRecord<Real>::pov_fading, found.material, leaves);
+      left = select(leaves, pov_fade(fading, hits.of(wave.hits.hit.t)), left);
     }
     const MaskOf<L> straight = found.eta == L(1);
     const Vec3<L> onward = crossing_direction(met, found.eta, found.interface);
@@ -120,5 +132,7 @@ void transmit_as_pov(Wave<Real>& wave) {
                               met.weight * (left * found.transmitted), found.behind, straight}});
   });
 }
+
+template struct StagesOf<StageHome::pov>;
 
 }  // namespace alhazen::render

@@ -1,38 +1,31 @@
 // render/wave: from the names of stages to the functions that are the stages.
 #pragma once
 
+#include <utility>
 #include <vector>
 
-#include "render/wave/stage_camera.h"
-#include "render/wave/stage_decisions.h"
-#include "render/wave/stage_glass.h"
-#include "render/wave/stage_hits.h"
-#include "render/wave/stage_light.h"
-#include "render/wave/stage_pov.h"
-#include "render/wave/stage_reflect.h"
-#include "render/wave/stage_shadow.h"
+#include "render/wave/stages.h"
 
 namespace alhazen::render {
 
 template <class Real>
 struct StageCall {
-  using Function = void (*)(Wave<Real>&);
   StageId id;
-  Function function;
+  StageFunction<Real> function;
 };
 
-// Null for a stage that this build leaves out, whose code is not even instantiated.
+// Null for a stage that this build leaves out, and for those that are no loops over rays.
 template <class Real>
-typename StageCall<Real>::Function stage_function(StageId id) {
-  switch (id) {
-#define ALHAZEN_STAGE(name, phase, text, keeps, effects, ...)     \
-  case StageId::name:                                             \
-    if constexpr (is_built_in(StageId::name)) return __VA_ARGS__; \
-    break;
-#include "render/wave/stage.def"
-#undef ALHAZEN_STAGE
-  }
-  return nullptr;
+StageFunction<Real> stage_function(StageId id) {
+  StageFunction<Real> found = nullptr;
+  const auto ask = [&]<std::size_t... k>(std::index_sequence<k...>) {
+    const auto keep = [&](StageFunction<Real> function) {
+      if (function != nullptr) found = function;
+    };
+    (keep(StagesOf<static_cast<StageHome>(k)>::function(id, Real())), ...);
+  };
+  ask(std::make_index_sequence<static_cast<std::size_t>(StageHome::none)>());
+  return found;
 }
 
 template <class Real>

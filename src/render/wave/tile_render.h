@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/hash.h"
 #include "render/wave/tile.h"
 
 namespace alhazen::render {

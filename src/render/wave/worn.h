@@ -79,7 +79,8 @@ class ThinShapes {
       : worn_(worn), index_(index) {
     for (MaterialId id = 0; id < scene.materials.size(); ++id) {
       const MaterialRecord<Real>& material = materials[id];
-      is_clear_.push_back(material.pov_clear && material.ior == 1 && !material.pov.fades);
+      is_clear_.push_back(material.pov_clear && material.ior == 1 &&
+                          material.pov_passage.fades == 0);
     }
     for (const Shape& shape : scene.shapes.singles())
       single_.push_back(is_clear_[shape.material] != 0 && !is_closed(shape.geometry));

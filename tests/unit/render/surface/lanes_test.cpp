@@ -165,13 +165,14 @@ TEST(SurfaceLanes, PovFinish) {
         const auto surface = some_finish(in[0]);
         const Rgb<Real> color(in[1], in[2], in[3]);
         const Vec3<Real> normal(Real(0), Real(0), Real(1));
-        put(out, pov_diffuse(surface, color, in[4]));
-        put(out, pov_highlights(surface, color, normal, unit_vector(in[5], in[6]),
+        put(out, pov_diffuse(surface.shading, color, in[4]));
+        put(out, pov_highlights(surface.shading, color, normal, unit_vector(in[5], in[6]),
                                 unit_vector(in[4], in[7])));
-        put(out, pov_reflectance(surface, color, in[4], in[8]));
-        put(out, pov_rest(pov_reflectance(surface, color, in[4], in[8])));
-        put(out, pov_passed(surface, color));
-        put(out, select(surface.fades != Real(0), pov_fade(surface, 5 * in[9]), Rgb<Real>()));
+        put(out, pov_reflectance(surface.mirror, color, in[4], in[8]));
+        put(out, pov_rest(pov_reflectance(surface.mirror, color, in[4], in[8])));
+        put(out, pov_passed(surface.passage, color));
+        put(out, select(surface.passage.fades != Real(0), pov_fade(surface.fading, 5 * in[9]),
+                        Rgb<Real>()));
       });
 }
 

@@ -28,14 +28,14 @@ TEST(PovFinish, OpacityIsInWhatTheSurfaceShowsItself) {
   m.emission = Rgbd(1, 0, 2);
   const auto s = surface_of(m);
   EXPECT_EQ(s.glow, Rgbd(0.375, 0.25, 0.5));
-  EXPECT_EQ(pov_diffuse(s, Rgbd(1, 0.5, 0), 0.5), Rgbd(0.25, 0.125, 0));
+  EXPECT_EQ(pov_diffuse(s.shading, Rgbd(1, 0.5, 0), 0.5), Rgbd(0.25, 0.125, 0));
 }
 
 TEST(PovFinish, BrillianceIsAPowerOfTheCosine) {
   PovFinish m;
   m.diffuse = 1;
   m.brilliance = 3;
-  EXPECT_NEAR(pov_diffuse(surface_of(m), Rgbd(1), 0.5).r, 0.125, kRounding);
+  EXPECT_NEAR(pov_diffuse(surface_of(m).shading, Rgbd(1), 0.5).r, 0.125, kRounding);
 }
 
 TEST(PovFinish, PhongIsAPowerOfTheCosineWithTheMirroredView) {
@@ -43,11 +43,11 @@ TEST(PovFinish, PhongIsAPowerOfTheCosineWithTheMirroredView) {
   m.phong = 0.75;
   m.phong_size = 3;
   const auto s = surface_of(m);
-  EXPECT_NEAR(pov_highlights(s, Rgbd(1), kNormal, kView, kMirrored).r, 0.75, kRounding);
+  EXPECT_NEAR(pov_highlights(s.shading, Rgbd(1), kNormal, kView, kMirrored).r, 0.75, kRounding);
   // Light from straight above: 60 degrees from the mirrored view.
-  EXPECT_NEAR(pov_highlights(s, Rgbd(1), kNormal, kView, kNormal).r, 0.75 / 8, kRounding);
+  EXPECT_NEAR(pov_highlights(s.shading, Rgbd(1), kNormal, kView, kNormal).r, 0.75 / 8, kRounding);
   // Light from where one looks: 120 degrees from it.
-  EXPECT_EQ(pov_highlights(s, Rgbd(1), kNormal, kView, kView), Rgbd());
+  EXPECT_EQ(pov_highlights(s.shading, Rgbd(1), kNormal, kView, kView), Rgbd());
 }
 
 // cos = 2^-12 is below POV-Ray's bound of 0.0008, which it heeds from size 60 on.
@@ -56,9 +56,11 @@ TEST(PovFinish, SharpPhongHasAnEnd) {
   PovFinish m;
   m.phong = 1;
   m.phong_size = 60;
-  EXPECT_EQ(pov_highlights(surface_of(m), Rgbd(1), kNormal, kNormal, {sine, 0, cosine}), Rgbd());
+  EXPECT_EQ(pov_highlights(surface_of(m).shading, Rgbd(1), kNormal, kNormal, {sine, 0, cosine}),
+            Rgbd());
   m.phong_size = 59;
-  const double left = pov_highlights(surface_of(m), Rgbd(1), kNormal, kNormal, {sine, 0, cosine}).r;
+  const double left =
+      pov_highlights(surface_of(m).shading, Rgbd(1), kNormal, kNormal, {sine, 0, cosine}).r;
   EXPECT_NEAR(left / std::pow(cosine, 59), 1, 59 * kRounding);
 }
 
@@ -67,9 +69,9 @@ TEST(PovFinish, SpecularIsAPowerOfTheCosineOfTheHalfVector) {
   m.specular = 0.5;
   m.roughness = 0.25;
   const auto s = surface_of(m);
-  EXPECT_NEAR(pov_highlights(s, Rgbd(1), kNormal, kView, kMirrored).r, 0.5, kRounding);
+  EXPECT_NEAR(pov_highlights(s.shading, Rgbd(1), kNormal, kView, kMirrored).r, 0.5, kRounding);
   // Both along one direction at 60 degrees: the half vector is there too.
-  EXPECT_NEAR(pov_highlights(s, Rgbd(1), kNormal, kView, kView).r, 0.5 / 16, kRounding);
+  EXPECT_NEAR(pov_highlights(s.shading, Rgbd(1), kNormal, kView, kView).r, 0.5 / 16, kRounding);
 }
 
 TEST(PovFinish, MetallicTintsTowardsTheColourAndNotAtGrazingAngles) {
@@ -92,14 +94,14 @@ TEST(PovFinish, ReflectionGoesFromMinToMax) {
   PovFinish m;
   m.reflection = {Rgbd(0.1, 0.2, 0), Rgbd(0.9, 0.2, 1), 2, false, 0};
   const auto s = surface_of(m);
-  EXPECT_EQ(pov_reflectance(s, Rgbd(1), 1.0, 0.0), Rgbd(0.1, 0.2, 0));
-  EXPECT_NEAR(pov_reflectance(s, Rgbd(1), 0.0, 0.0).r, 0.9, kRounding);
-  EXPECT_NEAR(pov_reflectance(s, Rgbd(1), 0.5, 0.0).r, 0.1 + 0.25 * 0.8, kRounding);
-  EXPECT_EQ(pov_reflectance(s, Rgbd(1), 0.5, 0.0).g, 0.2);
+  EXPECT_EQ(pov_reflectance(s.mirror, Rgbd(1), 1.0, 0.0), Rgbd(0.1, 0.2, 0));
+  EXPECT_NEAR(pov_reflectance(s.mirror, Rgbd(1), 0.0, 0.0).r, 0.9, kRounding);
+  EXPECT_NEAR(pov_reflectance(s.mirror, Rgbd(1), 0.5, 0.0).r, 0.1 + 0.25 * 0.8, kRounding);
+  EXPECT_EQ(pov_reflectance(s.mirror, Rgbd(1), 0.5, 0.0).g, 0.2);
   m.reflection.falloff = 0;
-  EXPECT_EQ(pov_reflectance(surface_of(m), Rgbd(1), 1.0, 0.0).b, 1);
+  EXPECT_EQ(pov_reflectance(surface_of(m).mirror, Rgbd(1), 1.0, 0.0).b, 1);
   m.reflection.fresnel = true;
-  EXPECT_NEAR(pov_reflectance(surface_of(m), Rgbd(1), 1.0, 0.04).b, 0.04, kRounding);
+  EXPECT_NEAR(pov_reflectance(surface_of(m).mirror, Rgbd(1), 1.0, 0.04).b, 0.04, kRounding);
 }
 
 // POV-Ray's formula, F = ((g - c) / (g + c))^2 / 2 (1 + ((c (g + c) - 1) / (c (g - c) + 1))^2) with
@@ -119,7 +121,7 @@ TEST(PovFinish, FilterTakesTheColourAndTransmitDoesNot) {
   PovFinish m;
   m.filter = 0.5;
   m.transmit = 0.25;
-  EXPECT_EQ(pov_passed(surface_of(m), Rgbd(1, 0.5, 0)), Rgbd(0.75, 0.5, 0.25));
+  EXPECT_EQ(pov_passed(surface_of(m).passage, Rgbd(1, 0.5, 0)), Rgbd(0.75, 0.5, 0.25));
 }
 
 TEST(PovFinish, FadesByAPowerOrExponentially) {
@@ -127,19 +129,19 @@ TEST(PovFinish, FadesByAPowerOrExponentially) {
   m.fade_distance = 2;
   m.fade_power = 2;
   m.fade_color = Rgbd(0, 0.5, 1);
-  const Rgbd at_distance = pov_fade(surface_of(m), 2.0);
+  const Rgbd at_distance = pov_fade(surface_of(m).fading, 2.0);
   EXPECT_NEAR(at_distance.r, 0.5, kRounding);
   EXPECT_NEAR(at_distance.g, 0.75, kRounding);
   EXPECT_EQ(at_distance.b, 1);
-  EXPECT_NEAR(pov_fade(surface_of(m), 4.0).r, 0.2, kRounding);
-  EXPECT_EQ(pov_fade(surface_of(m), 0.0).r, 1);
+  EXPECT_NEAR(pov_fade(surface_of(m).fading, 4.0).r, 0.2, kRounding);
+  EXPECT_EQ(pov_fade(surface_of(m).fading, 0.0).r, 1);
   m.fade_power = 1000;
-  EXPECT_NEAR(pov_fade(surface_of(m), 4.0).r, std::exp(-2.0), kRounding);
-  EXPECT_NEAR(pov_fade(surface_of(m), 4.0).g, std::exp(-1.0), kRounding);
-  EXPECT_EQ(pov_fade(surface_of(m), 4.0).b, 1);
+  EXPECT_NEAR(pov_fade(surface_of(m).fading, 4.0).r, std::exp(-2.0), kRounding);
+  EXPECT_NEAR(pov_fade(surface_of(m).fading, 4.0).g, std::exp(-1.0), kRounding);
+  EXPECT_EQ(pov_fade(surface_of(m).fading, 4.0).b, 1);
   m.fade_power = 999;  // hardly less than the step that it would be at infinity
-  EXPECT_NEAR(pov_fade(surface_of(m), 1.9).r, 1, 1e-15);
-  EXPECT_NEAR(pov_fade(surface_of(m), 2.1).g, 0.5, 1e-15);
+  EXPECT_NEAR(pov_fade(surface_of(m).fading, 1.9).r, 1, 1e-15);
+  EXPECT_NEAR(pov_fade(surface_of(m).fading, 2.1).g, 0.5, 1e-15);
 }
 
 TEST(PovFinish, NoLessThanNothingIsLeftToPass) {

@@ -57,8 +57,9 @@ void expect_same_samples(const Wave<ScalarOf<L>>& wave, const Placed& light) {
         const std::size_t h = place / samples;
         const auto k = static_cast<std::uint32_t>(place++ % samples);
         ASSERT_EQ(dealt[lane], h);
-        const AreaSequence of_hit = area_sequence(wave, light, h);
-        const Sample2d bits = sample_2d(of_hit.seed, of_hit.first + k);
+        const auto of_hit = area_sequence_at(wave, light, h);
+        const Sample2d bits =
+            sample_2d_of(of_hit.keys, static_cast<std::uint32_t>(of_hit.first + k));
         const LightSample<Real> one = View<Real>(light.kernel, wave.hits.position[h])
                                           .sample(unit_real<Real>(bits.x), unit_real<Real>(bits.y));
         EXPECT_EQ(all.direction.x[lane], one.direction.x);
