@@ -3,6 +3,8 @@
 // another (docs/lanes.md).
 #pragma once
 
+#include <algorithm>
+
 #include "render/simd/lanes.h"
 
 namespace alhazen::render {
@@ -14,5 +16,17 @@ inline constexpr int kWideWidth = sizeof(Real) < 16
 
 template <class Real>
 using Wide = Lanes<Real, kWideWidth<Real>>;
+
+// Lanes of rays that look for shapes together: what two registers hold where there are 32 of them,
+// so that one has work while the other waits, and what is done once for all rays is done half as
+// often. In shading, where more numbers are alive at once, this does not pay (docs/lanes.md).
+inline constexpr int kWidestPacket = 16;
+template <class Real>
+inline constexpr int kPacketWidth = ALHAZEN_SIMD_AVX512&& kWideWidth<Real> > 1
+                                        ? std::min(2 * kWideWidth<Real>, kWidestPacket)
+                                        : kWideWidth<Real>;
+
+template <class Real>
+using Packet = Lanes<Real, kPacketWidth<Real>>;
 
 }  // namespace alhazen::render

@@ -7,7 +7,7 @@ namespace alhazen::render {
 // Splits the generation into hits, sorted into the lists of their surface's kind, and escaped rays.
 template <class Real>
 void find_closest_hits(Wave<Real>& wave) {
-  using L = Wide<Real>;
+  using L = Packet<Real>;
   for_lanes<L>(wave.rays.size(), [&](const Entries<L>& at) {
     const HitLanes<L> hits = first_hits(wave, at);
     wave.hits.append(at.index(), hits, at.active() && hits.found);

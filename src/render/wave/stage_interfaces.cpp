@@ -46,7 +46,7 @@ InterfaceHit<Real> interface_beyond(Wave<Real>& wave, std::size_t i, const Hit<R
 // only its list of media changes.
 template <class Real>
 void find_interfaces(Wave<Real>& wave) {
-  using L = Wide<Real>;
+  using L = Packet<Real>;
   const World<Real>& world = wave.world;
   for_lanes<L>(wave.rays.size(), [&](const Entries<L>& at) {
     HitLanes<L> hits = first_hits(wave, at);

@@ -6,7 +6,7 @@ namespace alhazen::render {
 
 template <class Real>
 void add_unshadowed(Wave<Real>& wave) {
-  using L = Wide<Real>;
+  using L = Packet<Real>;
   for_lanes<L>(wave.unshadowed.size(), [&](const Entries<L>& at) {
     const LightPaths<L> paths(wave, wave.unshadowed, at);
     add_arrived(wave, paths, paths.active, paths.radiance);
@@ -15,7 +15,7 @@ void add_unshadowed(Wave<Real>& wave) {
 
 template <class Real>
 void add_past_opaque(Wave<Real>& wave) {
-  using L = Wide<Real>;
+  using L = Packet<Real>;
   count_shadow_rays(wave);
   for_lanes<L>(wave.light_paths.size(), [&](const Entries<L>& at) {
     const LightPaths<L> paths(wave, wave.light_paths, at);

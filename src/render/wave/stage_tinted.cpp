@@ -90,7 +90,7 @@ Rgb<L> follow_to_light(Wave<ScalarOf<L>>& wave, const LightPaths<L>& paths, HitL
 
 template <class Real>
 void add_through_glass(Wave<Real>& wave) {
-  using L = Wide<Real>;
+  using L = Packet<Real>;
   count_shadow_rays(wave);
   for_lanes<L>(wave.light_paths.size(), [&](const Entries<L>& at) {
     const LightPaths<L> paths(wave, wave.light_paths, at);
