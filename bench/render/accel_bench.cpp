@@ -147,7 +147,7 @@ void single(benchmark::State& state) {
 
 template <class Real, MakeRays<Real> make_rays>
 void packet(benchmark::State& state) {
-  using L = Wide<Real>;
+  using L = Packet<Real>;
   using Word = ScalarOf<IntOf<L>>;
   constexpr auto kWidth = static_cast<std::size_t>(L::kWidth);
   const ShapeTable<Real> table(balls(state.range(0)), Vec3d{});

@@ -36,8 +36,9 @@ class CheapVariant {
   }
   CheapVariant& operator=(CheapVariant&& other) noexcept {
     if (this == &other) return *this;
+    CheapVariant taken(std::move(other));  // which may be a part of what is destroyed here
     destroy();
-    take(other);
+    take(taken);
     return *this;
   }
   ~CheapVariant() { destroy(); }

@@ -28,6 +28,7 @@ class BlockBuilder {
   SourceSpan first_span() const { return *first_; }
 
   // The properties, once every required one is there; null if there was an error in the block.
+  // They live as long as the builder.
   Properties* finish();
   // What was placed, as one tree.
   std::shared_ptr<const Group> finish_group();

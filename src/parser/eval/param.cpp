@@ -60,6 +60,7 @@ std::optional<Value> Evaluator::override_for(const ast::Param& param, const Valu
   }
   // Only what is built in is visible: the value does not depend on where the parameter stands.
   define_values_.push_back(std::move(expr));
+  // No value of an expression hands out a function that would hold on to it.
   Scope nothing(nullptr);
   const Value value = evaluate(*define_values_.back().root, nothing);
   if (value.is_poison()) return std::nullopt;

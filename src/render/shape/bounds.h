@@ -171,13 +171,16 @@ inline Real shift(const Affine<Real>& map) {
 
 }  // namespace bounds
 
-// Of a kernel in the frame of the rays.
+// Of a kernel in the frame of the rays, whose hull is known.
 template <class Real, class Kernel>
-inline ShapeBounds<Real> bounds_in_world(const Kernel& kernel) {
-  const auto hull = bounds::hull(kernel, Affine<Real>());
+inline ShapeBounds<Real> bounds_around(const Kernel& kernel, const bounds::Hull<Real>& hull) {
   // 32u: the hull's own roundings and those to spare.
   const Real reach = bounds::rounding<Kernel, Real>(kernel) + Real(32) * bounds::kU<Real>;
   return bounds::grown(hull, reach * hull.size(), reach);
+}
+template <class Real, class Kernel>
+inline ShapeBounds<Real> bounds_in_world(const Kernel& kernel) {
+  return bounds_around<Real>(kernel, bounds::hull(kernel, Affine<Real>()));
 }
 
 namespace bounds {

@@ -24,8 +24,7 @@ template <class Real>
 ShapeBounds<Real> bounds_of_ball(const Sphere<Real>& ball) {
   bounds::Hull<Real> hull;
   hull.add(ball.center, Vec3<Real>(ball.radius, ball.radius, ball.radius));
-  const Real reach = bounds::rounding<Sphere<Real>, Real>(ball) + Real(32) * bounds::kU<Real>;
-  return bounds::grown(hull, reach * hull.size(), reach);
+  return bounds_around<Real>(ball, hull);
 }
 
 }  // namespace

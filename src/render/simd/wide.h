@@ -17,12 +17,13 @@ inline constexpr int kWideWidth = sizeof(Real) < 16
 template <class Real>
 using Wide = Lanes<Real, kWideWidth<Real>>;
 
-// Lanes of rays that look for shapes together: what two registers hold where there are 32 of them,
+// Lanes of rays that look for shapes together. Of doubles two registers where there are 32 of them,
 // so that one has work while the other waits, and what is done once for all rays is done half as
-// often. In shading, where more numbers are alive at once, this does not pay (docs/lanes.md).
+// often; of floats sixteen fill one. In shading, where more numbers are alive at once, two do not
+// pay (docs/lanes.md).
 inline constexpr int kWidestPacket = 16;
 template <class Real>
-inline constexpr int kPacketWidth = ALHAZEN_SIMD_AVX512&& kWideWidth<Real> > 1
+inline constexpr int kPacketWidth = (ALHAZEN_SIMD_AVX512 != 0 && kWideWidth<Real> > 1)
                                         ? std::min(2 * kWideWidth<Real>, kWidestPacket)
                                         : kWideWidth<Real>;
 

@@ -15,7 +15,7 @@ namespace alhazen::render {
 template <class Word>
 struct AreaSequence {
   SequenceKeys<Word> keys;
-  Word first;
+  Word first;  // its low 32 bits count
 };
 template <class Placed, class Word>
 AreaSequence<Word> area_sequence(const Placed& light, Word path, Word sample) {

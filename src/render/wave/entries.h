@@ -20,6 +20,7 @@ class Entries {
   using Int = IntOf<L>;
   using Mask = MaskOf<L>;
   static_assert(std::is_same_v<typename Int::Scalar, LaneInt<Real>>);
+  static_assert(L::kWidth <= static_cast<int>(kMaxLanes), "columns have no room for whole lanes");
 
   Entries(const Int& index, Mask active) : index_(index), active_(active) {
     first_ = static_cast<std::size_t>(index[0]);
@@ -42,7 +43,7 @@ class Entries {
 
   L of(const Column<Real>& column) const { return numbers<L>(column); }
   Int of(const Column<LaneInt<Real>>& column) const { return numbers<Int>(column); }
-  // Words of other widths than a Real's.
+  // Words that hold bits, not numbers.
   Lanes<std::uint64_t, L::kWidth> of(const Column<std::uint64_t>& column) const {
     return numbers<Lanes<std::uint64_t, L::kWidth>>(column);
   }

@@ -13,8 +13,8 @@ struct Wave;
 template <class Real>
 using StageFunction = void (*)(Wave<Real>&);
 
-// The files stage_*.cpp. Each is compiled by itself, so that no stage's code depends on which
-// others a build has: what a compiler inlines goes by all that it sees (bench/effects).
+// The files stage_*.cpp. Each is compiled by itself, so that the code of a stage does not depend on
+// what other files a build has: what a compiler inlines goes by all that it sees (bench/effects).
 enum class StageHome {
   camera,
   lens,
@@ -35,7 +35,7 @@ enum class StageHome {
   reflect,
   glass,
   pov,
-  none  // no loop over rays
+  none  // of what is no loop over rays; the last, for stage_table.h counts by it
 };
 
 // What each of those files has: the function of a stage, or null for one that stands elsewhere or

@@ -10,7 +10,7 @@ namespace {
 template <class L>
 class Packets : public testing::Test {};
 using Widths = testing::Types<Lanes<float, 4>, Lanes<float, 8>, Lanes<float, 16>, Lanes<double, 2>,
-                              Lanes<double, 4>, Lanes<double, 8>>;
+                              Lanes<double, 4>, Lanes<double, 8>, Lanes<double, 16>>;
 TYPED_TEST_SUITE(Packets, Widths);
 
 TYPED_TEST(Packets, RandomScenes) {

@@ -137,7 +137,8 @@ TEST(WorldTree, ThreadsChangeNothing) {
 
 template <class L>
 class WorldPackets : public testing::Test {};
-using Widths = testing::Types<Lanes<float, 4>, Lanes<float, 8>, Lanes<double, 2>, Lanes<double, 8>>;
+using Widths = testing::Types<Lanes<float, 4>, Lanes<float, 8>, Lanes<double, 2>, Lanes<double, 8>,
+                              Lanes<double, 16>>;
 TYPED_TEST_SUITE(WorldPackets, Widths);
 
 TYPED_TEST(WorldPackets, RandomInstances) {

@@ -87,6 +87,7 @@ TEST(AreaSamples, AreDealtInTheOrderOfHits) {
     expect_dealt_in_order<Wide<double>>(samples);
     expect_dealt_in_order<Wide<float>>(samples);
     expect_dealt_in_order<Lanes<double, 8>>(samples);
+    expect_dealt_in_order<Lanes<double, 16>>(samples);
     expect_dealt_in_order<Lanes<float, 16>>(samples);
 #if ALHAZEN_HAS_QUAD
     expect_dealt_in_order<Wide<Quad>>(samples);
