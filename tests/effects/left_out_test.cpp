@@ -1,5 +1,7 @@
 // Builds that leave effects out: which those are, what goes with them, and what a scene is told
 // that calls for one.
+#include "core/scene/left_out.h"
+
 #include <gtest/gtest.h>
 
 #include "render/wave/plan.h"

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/explain_plan.h"
+#include "core/scene/this_build.h"
 
 namespace alhazen {
 namespace {

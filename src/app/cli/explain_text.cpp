@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/cli/explain_plan.h"
+#include "core/scene/this_build.h"
 
 namespace alhazen {
 namespace {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/math/transform.h"
-#include "core/scene/built_in.h"
 #include "core/scene/texture.h"
 #include "render/simd/records.h"
 #include "render/surface/gradient.h"
@@ -31,8 +30,8 @@ class TextureTable {
                Vec3d world_offset);
 
   // The colours at points, each of the texture `id` of its lane; of the lanes outside of the mask
-  // they are black and their ids are not looked at.
-  template <class L = Real>
+  // they are black and their ids are not looked at. `with_images`: some may be images.
+  template <class L = Real, bool with_images = true>
   Rgb<L> color(IntOf<L> id, const TexturePoint<L>& point, MaskOf<L> active = true) const;
 
   // The same where all these textures are solid: no point is needed.
@@ -70,7 +69,7 @@ class TextureTable {
   static Vec3<L> pattern_point(const Node& node, const TexturePoint<L>& point);
   template <class L>
   static MaskOf<L> takes_second(const Node& node, Vec3<L> p);
-  template <class L>
+  template <class L, bool with_images>
   Rgb<L> own_color(const Node& node, const TexturePoint<L>& point) const;
 
   std::vector<Node> nodes_;
@@ -117,11 +116,11 @@ MaskOf<L> TextureTable<Real>::takes_second(const Node& node, Vec3<L> p) {
 
 // Of a texture that does not.
 template <class Real>
-template <class L>
+template <class L, bool with_images>
 Rgb<L> TextureTable<Real>::own_color(const Node& node, const TexturePoint<L>& point) const {
   if (node.kind == PatternKind::solid) return Rgb<L>(node.color);
   const Vec3<L> p = pattern_point(node, point);
-  if constexpr (is_built_in(Effect::image_textures)) {
+  if constexpr (with_images) {
     if (node.kind == PatternKind::image)
       return within_unit(image_color(node.image, p.x, p.y, node.wrap, node.filter));
   }
@@ -131,7 +130,7 @@ Rgb<L> TextureTable<Real>::own_color(const Node& node, const TexturePoint<L>& po
 // A texture that chooses hands its lanes on to others, in a loop: lanes that come to the same
 // texture go on together, and no depth of nesting needs a stack.
 template <class Real>
-template <class L>
+template <class L, bool with_images>
 Rgb<L> TextureTable<Real>::color(IntOf<L> id, const TexturePoint<L>& point,
                                  MaskOf<L> active) const {
   Rgb<L> result;
@@ -144,7 +143,7 @@ Rgb<L> TextureTable<Real>::color(IntOf<L> id, const TexturePoint<L>& point,
       const IntOf<L> next = select(second, IntOf<L>(node.second), IntOf<L>(node.first));
       id = select(here, next, id);
     } else {
-      result = select(here, own_color(node, point), result);
+      result = select(here, own_color<L, with_images>(node, point), result);
       active = active && !here;
     }
   }

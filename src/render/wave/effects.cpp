@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/scene/this_build.h"
 #include "render/wave/camera_solids.h"
 #include "render/wave/plan.h"
 
@@ -29,6 +30,10 @@ Status check_built_in(const EffectSet& effects, std::string_view left_out) {
                              info(effect).text, info(effect).name)};
   }
   return Unit{};
+}
+
+Status check_built_in(const EffectSet& effects) {
+  return check_built_in(effects, kLeftOutNames);
 }
 
 }  // namespace alhazen::render

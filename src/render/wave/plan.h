@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/scene/built_in.h"
+#include "core/scene/effect.h"
 
 namespace alhazen::render {
 
@@ -47,11 +47,6 @@ constexpr bool is_called(StageId stage, const Has& has) {
 #undef ALHAZEN_STAGE
   }
   return false;
-}
-
-// Whether this build has the stage.
-constexpr bool is_built_in(StageId stage) {
-  return is_called(stage, [](Effect effect) { return alhazen::is_built_in(effect); });
 }
 
 // Whether the stage sends rays on from what rays have met.
@@ -106,7 +101,9 @@ EffectSet effects_of(const Scene& scene, const PlanWants& wants = {});
 
 // Error unsupported, naming it, if one of them is of those that a build was made without;
 // `left_out` as ALHAZEN_LEAVE_OUT.
-Status check_built_in(const EffectSet& effects, std::string_view left_out = kLeftOutNames);
+Status check_built_in(const EffectSet& effects, std::string_view left_out);
+// By what this build was made without.
+Status check_built_in(const EffectSet& effects);
 
 StagePlan make_plan(const Scene& scene, const EffectSet& effects, const PlanWants& wants = {});
 

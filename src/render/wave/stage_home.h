@@ -2,6 +2,7 @@
 // file has.
 #pragma once
 
+#include "render/wave/left_out_here.h"
 #include "render/wave/stages.h"
 
 namespace alhazen::render {
@@ -9,9 +10,9 @@ namespace alhazen::render {
 template <StageHome home, class Real>
 StageFunction<Real> stage_in(StageId id) {
   switch (id) {
-#define ALHAZEN_STAGE(name, phase, file, text, keeps, effects, ...)                          \
-  case StageId::name:                                                                        \
-    if constexpr (StageHome::file == home && is_built_in(StageId::name)) return __VA_ARGS__; \
+#define ALHAZEN_STAGE(name, phase, file, text, keeps, effects, ...)                            \
+  case StageId::name:                                                                          \
+    if constexpr (StageHome::file == home && is_built_here(StageId::name)) return __VA_ARGS__; \
     break;
 #include "render/wave/stage.def"
 #undef ALHAZEN_STAGE

@@ -13,7 +13,8 @@ void find_textured_colors(Wave<Real>& wave) {
       return TexturePoint<L>{at.of(hits.object_position), at.of(hits.position), at.of(hits.u),
                              at.of(hits.v)};
     };
-    at.store(surface_colors<L>(wave.world, at.of(hits.material), at.active(), texture_points),
+    at.store(surface_colors<L, is_built_here(Effect::image_textures)>(
+                 wave.world, at.of(hits.material), at.active(), texture_points),
              hits.color);
   });
 }

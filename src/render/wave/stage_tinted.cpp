@@ -28,7 +28,8 @@ Rgb<L> pov_shadow(const World<ScalarOf<L>>& world, const Ray<L>& ray, const HitL
         hit.shape, ray, Crossing<L>{hit.t, hit.face, hit.enters}, asks);
     return TexturePoint<L>{p.object_position, p.position, p.u, p.v};
   };
-  const Rgb<L> color = surface_colors<L>(world, material, which, texture_points);
+  const Rgb<L> color = surface_colors<L, is_built_here(Effect::image_textures)>(
+      world, material, which, texture_points);
   const auto of_material = [&](auto member) {
     return world.materials.template records_of<L>(member, material, which);
   };

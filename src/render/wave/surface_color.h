@@ -13,8 +13,8 @@ MaskOf<L> are_textured(const World<ScalarOf<L>>& world, const IntOf<L>& material
 }
 
 // The colours of several lanes, albedo or reflectance. texture_points(mask) gives the coordinates
-// that textures ask for, and is called only if one does.
-template <class L, class TexturePoints>
+// that textures ask for, and is called only if one does. `with_images`: some may be images.
+template <class L, bool with_images, class TexturePoints>
 Rgb<L> surface_colors(const World<ScalarOf<L>>& world, const IntOf<L>& material, MaskOf<L> active,
                       const TexturePoints& texture_points) {
   using Int = IntOf<L>;
@@ -24,7 +24,8 @@ Rgb<L> surface_colors(const World<ScalarOf<L>>& world, const IntOf<L>& material,
   const MaskOf<L> asks = active && pattern != Int(0);
   if (!any(asks)) return solid;
   const Int texture = pattern + Int(-1);
-  return select(asks, world.textures.template color<L>(texture, texture_points(asks), asks), solid);
+  const TexturePoint<L> points = texture_points(asks);
+  return select(asks, world.textures.template color<L, with_images>(texture, points, asks), solid);
 }
 
 }  // namespace alhazen::render

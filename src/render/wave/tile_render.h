@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/hash.h"
+#include "render/wave/left_out_here.h"
 #include "render/wave/tile.h"
 
 namespace alhazen::render {
@@ -133,7 +134,7 @@ void TileRenderer<Real>::collect_data(std::size_t slot, std::uint32_t sample, Pi
 
 template <class Real>
 bool TileRenderer<Real>::want_more() {
-  if constexpr (is_built_in(StageId::adaptive_rounds)) {
+  if constexpr (is_built_here(StageId::adaptive_rounds)) {
     if (!job_.plan.runs(StageId::adaptive_rounds)) return false;
     Stopwatch stopwatch;
     const bool more = find_wanting();
