@@ -64,8 +64,9 @@ inline bool BoundsTree<Real>::visit(const Ray<Real>& ray, Real from, const Real&
   if (nodes_.empty()) return true;
   const Approach<Real> way = approach(frame_, ray, from, to);
   if (way.lost && !for_each_inside(consider)) return false;
-  return !way.enters || walk(std::span(nodes_), TreeChild::node(0),
-                             TreeRay(way.origin, way.inverse, way.blur), way.clock, to, consider);
+  return !way.enters ||
+         walk(std::span(nodes_), TreeChild::node(0),
+              TreeRay(tree_axes(way.origin, way.inverse, way.blur)), way.clock, to, consider);
 }
 
 extern template class BoundsTree<float>;

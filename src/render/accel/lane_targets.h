@@ -20,6 +20,10 @@ struct LaneQuery {
   // Shapes that a lane is not tested against on its way: those that rays leave.
   IntOf<L> left = select(from.face == IntOf<L>(kNoFace), IntOf<L>(-1), from.shape);
 
+  // shape_hits.h, of a lane.
+  bool is_ahead(int lane, ShapeId id, const Crossing<Real>& crossing) const {
+    return render::is_ahead(shapes, one_ray(ray, lane), source_of(lane), id, crossing);
+  }
   // Lanes of crossings with a shape less those at t = 0 which are behind their rays.
   MaskOf<L> ahead(const IntOf<L>& shape, const Crossing<L>& crossing, MaskOf<L> exists) const {
     const MaskOf<L> at_start = exists && crossing.t == L(0);
@@ -28,8 +32,7 @@ struct LaneQuery {
     for_each_lane(at_start, [&](int i) {
       const Crossing<Real> one{crossing.t[i], static_cast<int>(crossing.face[i]),
                                crossing.enters[i]};
-      if (!is_ahead(shapes, one_ray(ray, i), source_of(i), static_cast<ShapeId>(shape[i]), one))
-        behind |= std::uint32_t{1} << i;
+      if (!is_ahead(i, static_cast<ShapeId>(shape[i]), one)) behind |= std::uint32_t{1} << i;
     });
     return exists && !MaskOf<L>::from_bits(behind);
   }

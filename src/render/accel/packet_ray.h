@@ -12,9 +12,7 @@ template <class Float>
 class EachRay {
  public:
   EachRay(Vec3<Float> origin, Vec3<Float> inverse, Float blur)
-      : axes_{TreeAxis<Float>(origin.x, inverse.x, blur),
-              TreeAxis<Float>(origin.y, inverse.y, blur),
-              TreeAxis<Float>(origin.z, inverse.z, blur)} {}
+      : axes_(tree_axes(origin, inverse, blur)) {}
 
   // Which rays meet the box of a node's child before `to`.
   MaskOf<Float> meet(const TreeNode& node, std::size_t child, Float to) const {
@@ -31,9 +29,14 @@ class EachRay {
     return near <= far;
   }
   const TreeAxis<Float>& axis(std::size_t i) const { return axes_[i]; }
+  // The ray of a lane.
+  TreeRay one(int lane) const {
+    return TreeRay({TreeAxis<float>(axes_[0], lane), TreeAxis<float>(axes_[1], lane),
+                    TreeAxis<float>(axes_[2], lane)});
+  }
 
  private:
-  std::array<TreeAxis<Float>, 3> axes_;
+  TreeAxes<Float> axes_;
 };
 
 // All rays as one, whose origin and direction are intervals: what it misses none of them meets.

@@ -80,7 +80,8 @@ class PacketWalk {
     };
     if (all.scatter() && nodes.size() > kFewNodes) {
       const Mask lanes = Mask::from_bits((end >= Float(0)).bits());
-      for_each_lane(lanes, [&](int lane) { go_alone(nodes, TreeChild::node(0), way, lane); });
+      for_each_lane(lanes,
+                    [&](int lane) { go_alone(nodes, TreeChild::node(0), way.clock, each, lane); });
       return;
     }
     open(0);
@@ -94,7 +95,7 @@ class PacketWalk {
       if (child.is_shape()) {
         items_.meet(child.index(), lanes);
       } else if (count(lanes) <= std::max(1, L::kWidth / kLonely)) {
-        for_each_lane(lanes, [&](int lane) { go_alone(nodes, child, way, lane); });
+        for_each_lane(lanes, [&](int lane) { go_alone(nodes, child, way.clock, each, lane); });
       } else {
         open(child.index());
         continue;
@@ -105,14 +106,12 @@ class PacketWalk {
     }
   }
 
-  void go_alone(std::span<const TreeNode> nodes, TreeChild root, const Approach<L>& way, int lane) {
-    const TreeRay tree_ray({way.origin.x[lane], way.origin.y[lane], way.origin.z[lane]},
-                           {way.inverse.x[lane], way.inverse.y[lane], way.inverse.z[lane]},
-                           way.blur[lane]);
-    const TreeClock<Real> clock{way.clock.start[lane], way.clock.speed[lane]};
+  void go_alone(std::span<const TreeNode> nodes, TreeChild root, const TreeClock<L>& all,
+                const EachRay<Float>& each, int lane) {
+    const TreeClock<Real> clock{all.start[lane], all.speed[lane]};
     typename Targets::One one(targets_, lane);
     const auto alone = items_.alone(lane);
-    walk(nodes, root, tree_ray, clock, one.limit(),
+    walk(nodes, root, each.one(lane), clock, one.limit(),
          [&](std::uint32_t item) { return alone.meet(item, one); });
   }
 

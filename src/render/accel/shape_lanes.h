@@ -33,25 +33,24 @@ class ShapeItems {
 
   struct Alone {
     const ShapeItems& items;
-    Ray<Real> asked, own;
-    Source source;
+    int lane;
+    Ray<Real> own;
     ShapeId left, ignored;
 
     template <class One>
     bool meet(ShapeId number, One& one) const {
       const ShapeId id = items.id_of_(number);
       if (id == left || id == ignored) return true;
-      return for_each_hit(items.query_.shapes, asked, source, one.limit(), id,
-                          items.table_.crossings(number, own, Departure()),
-                          [&](const Hit<Real>& hit) { return one.take(hit); });
+      for (const Crossing<Real>& c : items.table_.crossings(number, own, Departure())) {
+        if (!(c.t <= one.limit())) continue;
+        if (c.t == Real(0) && !items.query_.is_ahead(lane, id, c)) continue;
+        if (!one.take(Hit<Real>{c.t, id, c.face, c.enters})) return false;
+      }
+      return true;
     }
   };
   Alone alone(int lane) const {
-    return {*this,
-            one_ray(query_.ray, lane),
-            one_ray(ray_, lane),
-            query_.source_of(lane),
-            static_cast<ShapeId>(query_.left[lane]),
+    return {*this, lane, one_ray(ray_, lane), static_cast<ShapeId>(query_.left[lane]),
             static_cast<ShapeId>(query_.ignored[lane])};
   }
 

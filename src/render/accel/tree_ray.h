@@ -115,17 +115,32 @@ struct TreeAxis {
     // A ray that all but stands still: as fast as this it does not get anywhere.
     inverse = select(absolute(reciprocal) <= Float(kStandstill), reciprocal, Float(kStandstill));
   }
+  // That of one lane.
+  template <class Lanes>
+  TreeAxis(const TreeAxis<Lanes>& all, int lane)
+      : low_origin(all.low_origin[lane]),
+        high_origin(all.high_origin[lane]),
+        inverse(all.inverse[lane]) {}
 };
+
+template <class Float>
+using TreeAxes = std::array<TreeAxis<Float>, 3>;
+
+template <class Float>
+inline TreeAxes<Float> tree_axes(Vec3<Float> origin, Vec3<Float> reciprocal, Float blur) {
+  return {TreeAxis<Float>(origin.x, reciprocal.x, blur),
+          TreeAxis<Float>(origin.y, reciprocal.y, blur),
+          TreeAxis<Float>(origin.z, reciprocal.z, blur)};
+}
 
 using NodeLanes = Lanes<float, static_cast<int>(kNodeWidth)>;
 
 // One ray and the boxes of a node in lanes.
 class TreeRay {
  public:
-  TreeRay(Vec3<float> origin, Vec3<float> reciprocal, float blur) {
-    for (int i = 0; i < 3; ++i) {
-      const TreeAxis<float> from(origin[i], reciprocal[i], blur);
-      const auto axis = static_cast<std::size_t>(i);
+  explicit TreeRay(const TreeAxes<float>& axes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const TreeAxis<float>& from = axes[axis];
       const bool backwards = from.inverse < 0;
       inverse_[axis] = from.inverse;
       near_side_[axis] = backwards ? TreeNode::kMax : TreeNode::kMin;
