@@ -10,9 +10,9 @@
 namespace alhazen::render {
 
 // Rays go on into a node alone where no more than one in so many of the packet's does; and from the
-// start if they scatter, in a tree of more nodes than a few. Measured: docs/acceleration.md.
+// start if they scatter, in a tree of more boxes than a few. Measured: docs/acceleration.md.
 inline constexpr int kLonely = 4;
-inline constexpr std::size_t kFewNodes = 8;
+inline constexpr std::size_t kFewNodes = 64 / kNodeWidth;
 
 // `items` are what the tree has boxes of: items.meet(item, lanes) tests one against several rays,
 // items.alone(lane).meet(item, one) against the ray of a lane, until it is false.

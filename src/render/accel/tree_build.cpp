@@ -27,8 +27,8 @@ void take_in(std::span<const NumberedBox> items, std::size_t k, Children& childr
   }
 }
 
-// Splits the child with the largest area until there are eight or all fit into one node each. Where
-// there is room, the smallest of them needs no node.
+// Splits the child with the largest area until the node is full or all fit into one node each.
+// Where there is room, the smallest of them needs no node.
 Children children_of(std::span<NumberedBox> items, const TreeRange& whole) {
   Children children{{whole}, 1};
   while (children.count < kNodeWidth) {

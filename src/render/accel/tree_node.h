@@ -5,10 +5,12 @@
 #include <cstdint>
 
 #include "render/accel/tree_box.h"
+#include "render/simd/wide.h"
 
 namespace alhazen::render {
 
-inline constexpr std::size_t kNodeWidth = 8;
+// As many boxes as a register has floats, but at least eight.
+inline constexpr std::size_t kNodeWidth = std::max(8, kWideWidth<float>);
 // Below this many splits the halves are equal in number, so that a tree of 2^31 shapes is no deeper
 // than kDeepestSplit.
 inline constexpr int kDeepestFreeSplit = 40;
@@ -31,8 +33,8 @@ class TreeChild {
   std::uint32_t word_;  // stacks of children are not to be filled with anything first
 };
 
-// The boxes of up to eight children, side by side for lanes. An absent child has the empty box, min
-// = +infinity and max = -infinity, which no ray meets.
+// The boxes of up to kNodeWidth children, side by side for lanes. An absent child has the empty
+// box, min = +infinity and max = -infinity, which no ray meets.
 struct TreeNode {
   enum : std::size_t { kMin, kMax };
 
