@@ -10,9 +10,9 @@ namespace alhazen {
 namespace {
 
 static_assert(is_name_of_effect("mirror") && !is_name_of_effect("mirrors"));
-static_assert(lists_effects_only("") && lists_effects_only("mirror;textures"));
-static_assert(!lists_effects_only("mirror,textures") && !lists_effects_only("mirror;glass"));
-static_assert(is_left_out(Effect::mirror, "metal;mirror") && !is_left_out(Effect::mirror, "metal"));
+static_assert(lists_effects_only("") && lists_effects_only("mirror,textures"));
+static_assert(!lists_effects_only("mirror;textures") && !lists_effects_only("mirror,glass"));
+static_assert(is_left_out(Effect::mirror, "metal,mirror") && !is_left_out(Effect::mirror, "metal"));
 static_assert(!is_left_out(Effect::coat_base, "mirror") && is_left_out(Effect::coat_base, "coat"));
 static_assert(is_left_out(Effect::soft_shadows, "direct_light"), "by way of shadows");
 
@@ -21,7 +21,7 @@ TEST(LeftOut, ASceneThatCallsForItIsRefusedByName) {
   effects.call(Effect::matte, {});
   EXPECT_TRUE(render::check_built_in(effects, ""));
   EXPECT_TRUE(render::check_built_in(effects, "mirror"));
-  const Status refused = render::check_built_in(effects, "mirror;matte");
+  const Status refused = render::check_built_in(effects, "mirror,matte");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
   EXPECT_NE(refused.error().message.find("matte surfaces"), std::string::npos);
@@ -36,7 +36,7 @@ TEST(LeftOut, ItsStagesGoWithIt) {
   EXPECT_FALSE(built(mirror, "mirror"));
   EXPECT_TRUE(built(metal, "mirror"));
   EXPECT_TRUE(built(interfaces, "refraction")) << "pov_transmission needs it, too";
-  EXPECT_FALSE(built(interfaces, "refraction;pov_transmission"));
+  EXPECT_FALSE(built(interfaces, "refraction,pov_transmission"));
   EXPECT_FALSE(built(sphere_on_coat, "coat"));
   EXPECT_FALSE(built(opaque_shadows, "direct_light"));
   for (std::size_t i = 0; i < render::kStageCount; ++i) {

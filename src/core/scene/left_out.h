@@ -11,10 +11,10 @@
 
 namespace alhazen {
 
-// Whether `name` is a word of `list`, whose words stand between semicolons.
+// Whether `name` is a word of `list`, whose words stand between commas.
 constexpr bool lists(std::string_view list, std::string_view name) {
   while (!list.empty()) {
-    const std::size_t end = std::min(list.find(';'), list.size());
+    const std::size_t end = std::min(list.find(','), list.size());
     if (list.substr(0, end) == name) return true;
     list.remove_prefix(std::min(end + 1, list.size()));
   }
@@ -28,7 +28,7 @@ constexpr bool is_name_of_effect(std::string_view word) {
 
 constexpr bool lists_effects_only(std::string_view list) {
   while (!list.empty()) {
-    const std::size_t end = std::min(list.find(';'), list.size());
+    const std::size_t end = std::min(list.find(','), list.size());
     if (!is_name_of_effect(list.substr(0, end))) return false;
     list.remove_prefix(std::min(end + 1, list.size()));
   }
@@ -45,7 +45,7 @@ inline constexpr EffectPart kEffectParts[] = {
 #undef ALHAZEN_EFFECT_PART
 };
 
-// `list` as ALHAZEN_LEAVE_OUT.
+// `list` as ALHAZEN_LEAVE_OUT, with commas.
 constexpr bool is_left_out(Effect effect, std::string_view list) {
   if (lists(list, info(effect).name)) return true;
   return std::any_of(std::begin(kEffectParts), std::end(kEffectParts), [&](const EffectPart& p) {

@@ -100,7 +100,7 @@ struct PlanWants {
 EffectSet effects_of(const Scene& scene, const PlanWants& wants = {});
 
 // Error unsupported, naming it, if one of them is of those that a build was made without;
-// `left_out` as ALHAZEN_LEAVE_OUT.
+// `left_out` as ALHAZEN_LEAVE_OUT, with commas.
 Status check_built_in(const EffectSet& effects, std::string_view left_out);
 // By what this build was made without.
 Status check_built_in(const EffectSet& effects);

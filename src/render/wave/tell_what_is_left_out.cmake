@@ -23,7 +23,7 @@ function(tell_what_is_left_out file home)
       list(APPEND here ${effect})
     endif()
   endforeach()
-  list(JOIN here "$<SEMICOLON>" here)
+  list(JOIN here "," here)
   set_source_files_properties(${file} PROPERTIES
     COMPILE_DEFINITIONS "ALHAZEN_LEFT_OUT_HERE=\"${here}\"")
 endfunction()
