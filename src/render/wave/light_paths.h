@@ -44,12 +44,12 @@ void count_shadow_rays(Wave<Real>& wave) {
     ++wave.slots.rays[wave.slot_of_hit(static_cast<std::size_t>(paths.hit[i]))];
 }
 
-// Adds radiance to the samples of the paths, in their order.
+// Adds radiance to the samples of rays that have met where it arrives, in their order.
 template <class L>
-void add_arrived(Wave<ScalarOf<L>>& wave, const LightPaths<L>& paths, MaskOf<L> which,
+void add_arrived(Wave<ScalarOf<L>>& wave, const Entries<L>& rays, MaskOf<L> which,
                  const Rgb<L>& radiance) {
   const Colors<L> arrived(radiance);
-  const Numbers<IntOf<L>> slot(paths.rays.of(wave.rays.slot));
+  const Numbers<IntOf<L>> slot(rays.of(wave.rays.slot));
   for_each_lane(which, [&](int k) { wave.slots.radiance[slot[k]] += arrived[k]; });
 }
 

@@ -1,17 +1,8 @@
-// render/wave: the stages of light that arrives or does not.
+// render/wave: the stage of light that arrives or does not.
 #include "render/wave/light_paths.h"
 #include "render/wave/stage_home.h"
 
 namespace alhazen::render {
-
-template <class Real>
-void add_unshadowed(Wave<Real>& wave) {
-  using L = Packet<Real>;
-  for_lanes<L>(wave.unshadowed.size(), [&](const Entries<L>& at) {
-    const LightPaths<L> paths(wave, wave.unshadowed, at);
-    add_arrived(wave, paths, paths.active, paths.radiance);
-  });
-}
 
 template <class Real>
 void add_past_opaque(Wave<Real>& wave) {
@@ -22,7 +13,7 @@ void add_past_opaque(Wave<Real>& wave) {
     const MaskOf<L> blocked = any_hits(
         wave.world.tree, paths.ray, paths.from, [&](int lane) { return paths.source_of(lane); },
         paths.distance, paths.lamp, paths.active);
-    add_arrived(wave, paths, paths.active && !blocked, paths.radiance);
+    add_arrived(wave, paths.rays, paths.active && !blocked, paths.radiance);
   });
 }
 

@@ -98,7 +98,8 @@ void add_through_glass(Wave<Real>& wave) {
     const HitLanes<L> first = closest_hits(
         wave.world.tree, paths.ray, paths.from, [&](int lane) { return paths.source_of(lane); },
         paths.distance, paths.lamp, paths.active);
-    add_arrived(wave, paths, paths.active, paths.radiance * follow_to_light(wave, paths, first));
+    add_arrived(wave, paths.rays, paths.active,
+                paths.radiance * follow_to_light(wave, paths, first));
   });
 }
 

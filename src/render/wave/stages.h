@@ -30,6 +30,7 @@ enum class StageHome {
   spot,
   sphere,
   rectangle,
+  unshadowed,
   shadows,
   tinted,
   reflect,
