@@ -73,10 +73,12 @@ render::FloatBuffer data_buffer(const render::Picture& picture) {
 
 render::FloatBuffer beauty_buffer(const render::Picture& picture) {
   render::FloatBuffer buffer(picture.window.width, picture.window.height, {"R", "G", "B", "A"});
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::span<float> out = buffer.channel(c);
-    for (std::size_t i = 0; i < out.size(); ++i)
-      out[i] = static_cast<float>(picture.rgb[3 * i + c]);
+  const std::span<float> red = buffer.channel(0), green = buffer.channel(1),
+                         blue = buffer.channel(2);
+  for (std::size_t i = 0; i < red.size(); ++i) {
+    red[i] = static_cast<float>(picture.rgb[3 * i]);
+    green[i] = static_cast<float>(picture.rgb[3 * i + 1]);
+    blue[i] = static_cast<float>(picture.rgb[3 * i + 2]);
   }
   std::ranges::copy(picture.alpha, buffer.channel(3).begin());
   return buffer;

@@ -18,8 +18,9 @@ constexpr std::size_t kBandRows = 64;
 template <class Stored>
 char* put(std::span<const float> samples, SampleType type, char* to) {
   static_assert(std::endian::native == std::endian::little, "as EXR files are");
+  const bool as_they_are = are_writable(samples, type);
   for (const float sample : samples) {
-    const Stored stored(writable_sample(sample, type));
+    const Stored stored(as_they_are ? sample : writable_sample(sample, type));
     std::memcpy(to, &stored, sizeof stored);
     to += sizeof stored;
   }

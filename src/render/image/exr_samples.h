@@ -15,6 +15,9 @@ constexpr float kLargestHalf = 65504.0F;
 // turn into infinity, because one infinite pixel makes viewers and filters black out the rest.
 float writable_sample(float sample, SampleType type);
 
+// Whether writable_sample leaves all of them as they are: nearly always, and quickly told.
+bool are_writable(std::span<const float> samples, SampleType type);
+
 // Adds to `report` how many samples writable_sample changes.
 void count_unwritable(std::span<const float> samples, SampleType type, ExrReport& report);
 
