@@ -52,6 +52,9 @@ def panel(title, x_label, y_label, curves, left, limits=()):
                    'stroke-dasharray="2 3"/>')
         out.append(f'<text x="{x0 + width - 4}" y="{at_y(y) - 4:.1f}" text-anchor="end" '
                    f'fill="#777">{text}</text>')
+    longest = max(len(curve.label) for curve in curves)
+    out.append(f'<rect x="{x0 + 6}" y="{TOP + 2}" width="{34 + 6 * longest}" '
+               f'height="{15 * len(curves) + 4}" fill="white"/>')
     for k, curve in enumerate(curves):
         color = COLORS[k % len(COLORS)]
         line = ' '.join(f'{at_x(x):.1f},{at_y(y):.1f}' for x, y in curve.points)
