@@ -1,6 +1,6 @@
 // render/wave: what of a stage's file is compiled. ALHAZEN_LEFT_OUT_HERE are those effects of
-// ALHAZEN_LEAVE_OUT that the file has something of (CMakeLists.txt): files that have nothing of an
-// effect are the same with and without it, and a compiler cache need not compile them again.
+// ALHAZEN_LEAVE_OUT that the file has something of (tell_what_is_left_out.cmake): all other files are
+// the same with and without them, and a compiler cache need not compile those again.
 #pragma once
 
 #include "core/scene/left_out.h"

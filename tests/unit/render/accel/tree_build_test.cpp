@@ -37,7 +37,8 @@ TEST(TreeBuild, SameNodesForAnyNumberOfThreads) {
 // Every shape has one leaf, with its own box; every node but the root one parent, whose box for it
 // is the smallest around its children.
 TEST(TreeBuild, BoxesAreExactAndNothingIsLost) {
-  for (const std::size_t count : {1u, 2u, 8u, 9u, 100u, 3000u, 40000u}) {
+  for (const std::size_t count : {std::size_t{1}, std::size_t{2}, kNodeWidth, kNodeWidth + 1,
+                                  std::size_t{100}, std::size_t{3000}, std::size_t{40000}}) {
     const std::vector<NumberedBox> boxes = random_boxes(count);
     const std::vector<TreeNode> nodes = build_tree(boxes, 2);
     std::vector<int> leaves(count), parents(nodes.size());
