@@ -1,5 +1,6 @@
 // core/scene: the effects that this build has, for those who ask once a picture. What is compiled
-// many times is told of less (render/wave/left_out_here.h), for the list differs from build to build.
+// many times is told of less (render/wave/left_out_here.h), for the list differs from build to
+// build.
 #pragma once
 
 #include "core/scene/left_out.h"

@@ -1,5 +1,5 @@
 // render/wave: what of a stage's file is compiled. ALHAZEN_LEFT_OUT_HERE are those effects of
-// ALHAZEN_LEAVE_OUT that the file has something of (tell_what_is_left_out.cmake): all other files are
+// ALHAZEN_LEAVE_OUT that the file has something of (tell_what_is_left_out.cmake): other files are
 // the same with and without them, and a compiler cache need not compile those again.
 #pragma once
 
